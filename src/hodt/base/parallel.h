@@ -1,0 +1,45 @@
+// The only header that knows how work is spread over cores (oneTBB).
+//
+// Every use gives the same bytes on any number of threads: a range is cut into pieces whose results
+// do not depend on where it was cut, or land in a place fixed beforehand.
+#pragma once
+
+#include <cstddef>
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+namespace hodt {
+
+/// Runs f(first, last) on pieces of [begin, end) of about `grain` elements or more, in parallel.
+template <class F>
+void parallel_for(std::size_t begin, std::size_t end, std::size_t grain, const F& f) {
+  if (end - begin <= grain) {
+    if (begin < end) f(begin, end);
+    return;
+  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
+                    [&](const tbb::blocked_range<std::size_t>& r) { f(r.begin(), r.end()); });
+}
+
+/// Runs f() and g(), possibly at the same time.
+template <class F, class G>
+void parallel_invoke(const F& f, const G& g) {
+  tbb::parallel_invoke(f, g);
+}
+
+/// While it lives, at most `threads` threads compute (0: as many as the machine has cores).
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(std::size_t threads);
+
+ private:
+  tbb::global_control control_;
+};
+
+/// How many threads may compute now.
+std::size_t thread_count();
+
+}  // namespace hodt

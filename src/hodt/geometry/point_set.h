@@ -1,0 +1,20 @@
+// What a reader hands over: points in the order of the input's data rows.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hodt/geometry/point.h"
+
+namespace hodt {
+
+struct PointSet {
+  std::vector<Point> xy;
+  /// Heights, one a point; empty if the input has none.
+  std::vector<double> z;
+
+  std::size_t size() const { return xy.size(); }
+  bool has_heights() const { return !z.empty(); }
+};
+
+}  // namespace hodt
