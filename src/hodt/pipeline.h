@@ -1,0 +1,82 @@
+// The whole job: points in, a higher order Delaunay TIN out.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hodt/base/ids.h"
+#include "hodt/geometry/point_set.h"
+#include "hodt/tin/extrema.h"
+#include "hodt/tin/tin.h"
+
+namespace hodt {
+
+enum class Objective { none, min_local_minima, min_local_maxima, min_local_extrema };
+enum class Method { automatic, greedy, flip, exact };
+
+/// The objective or method of that name on the command line ("min-local-minima", "auto").
+/// Throws ParameterError, naming the ones there are, for any other name.
+Objective objective_from_name(std::string_view name);
+Method method_from_name(std::string_view name);
+std::string_view name_of(Objective objective);
+
+struct TriangulateOptions {
+  /// The order k: no circumcircle of the result holds more than k points. Larger than n - 3 means
+  /// unrestricted.
+  Index order = 4;
+  Objective objective = Objective::min_local_minima;
+  Method method = Method::automatic;
+};
+
+/// What the objective counts, before and after.
+struct Value {
+  double delaunay = 0;
+  double result = 0;
+  /// Proven: no triangulation of order k does better.
+  double bound = 0;
+  /// The result is proven best.
+  bool optimal = false;
+};
+
+struct Seconds {
+  double read = 0;
+  /// From coordinates in input order to triangles and neighbours in input numbering.
+  double delaunay = 0;
+  /// With the bound and the verification.
+  double optimize = 0;
+  double write = 0;
+};
+
+struct Report {
+  std::size_t points = 0;      ///< data rows of the input
+  std::size_t duplicates = 0;  ///< rows dropped because another has the same (x, y)
+  std::size_t triangles = 0;
+  Index k = 0;
+  /// The largest order of a triangle of the result.
+  Index order = 0;
+  /// How many triangles of the result have order 0, 1, ..., `order`.
+  std::vector<std::size_t> order_histogram;
+  Objective objective = Objective::none;
+  std::optional<Value> value;  ///< empty for Objective::none
+  /// Of the Delaunay triangulation and of the result; empty if the input has no heights.
+  std::optional<ExtremaCount> extrema_delaunay;
+  std::optional<ExtremaCount> extrema_result;
+  Seconds seconds;
+};
+
+struct TriangulateResult {
+  /// Vertices in input order, dropped duplicates left out.
+  Tin tin;
+  Report report;
+};
+
+/// Triangulates the points, every triangle of order at most options.order, as good for the
+/// objective as hodt can. Throws InputError if there is no triangle (fewer than three distinct
+/// points, or all on a line) or a coordinate is not finite, ParameterError if the objective needs
+/// heights and the points have none. Fills all of the report but seconds.read and seconds.write.
+TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options = {});
+
+}  // namespace hodt

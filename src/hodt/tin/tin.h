@@ -1,0 +1,21 @@
+// A triangulated irregular network: what is read from and written to mesh files.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "hodt/base/ids.h"
+#include "hodt/geometry/point_set.h"
+
+namespace hodt {
+
+struct Tin {
+  PointSet points;
+  /// Corners of each triangle as indices into points; counter-clockwise in what hodt makes.
+  std::vector<std::array<Index, 3>> triangles;
+  /// Coordinate reference system as "EPSG:25832", or empty if unknown.
+  std::string crs;
+};
+
+}  // namespace hodt
