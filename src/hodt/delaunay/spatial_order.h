@@ -1,0 +1,38 @@
+// Points in the order of a space-filling curve: near in the plane, near in memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hodt/base/buffer.h"
+#include "hodt/base/ids.h"
+#include "hodt/geometry/point.h"
+#include "hodt/geometry/point_set.h"
+
+namespace hodt {
+
+/// The vertices of a triangulation: the distinct points of a PointSet along a Z-order curve. Every
+/// stage after the reader computes with these numbers; `row` leads back to the input.
+struct VertexSet {
+  Buffer<Point> xy;
+  Buffer<double> z;   ///< empty if the input has no heights
+  Buffer<Index> row;  ///< the input row of each vertex
+
+  std::size_t size() const { return xy.size(); }
+};
+
+/// A vertex set with what the divide-and-conquer needs to cut it along straight lines.
+struct SpatialOrder {
+  VertexSet vertices;
+  /// Position on the curve, not decreasing: the bits of y and x, interleaved, y first, as 32-bit
+  /// multiples of one cell size. Vertices with equal keys are in lexicographic order.
+  Buffer<std::uint64_t> key;
+};
+
+/// Sorts the points. Of those with equal (x, y) the one with the lowest z stays (the first of these
+/// if z ties too). The same order whatever the order of the input and the number of threads.
+/// Throws InputError if a coordinate is NaN or infinite, naming its row, and if there are 2^31
+/// points or more.
+SpatialOrder spatial_order(const PointSet& points);
+
+}  // namespace hodt
