@@ -1,0 +1,169 @@
+#include "hodt/io/atomic_write.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace hodt {
+
+namespace {
+
+constexpr std::string_view kStandardOutput = "-";
+
+std::string output_name(const std::filesystem::path& path) {
+  return path == kStandardOutput ? "standard output" : path.string();
+}
+
+/// Devices and the process's own descriptors are what they are: nothing to rename.
+bool written_directly(const std::filesystem::path& path) {
+  const std::string& name = path.native();
+  if (name.starts_with("/dev/") || name.starts_with("/proc/")) return true;
+  struct stat status;
+  return ::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+/// Where a chain of symbolic links ends, whether or not anything is there: the link must stay.
+std::filesystem::path follow_links(std::filesystem::path path) {
+  std::error_code error;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(path, error); ++links) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  }
+  return path;
+}
+
+std::filesystem::path directory_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// A name that no other process and no other file of this one has.
+std::filesystem::path temporary_name(const std::filesystem::path& target) {
+  static std::atomic<unsigned> count{0};
+  // Leaves room for the suffix where the target's name is as long as names may be.
+  const std::string stem = target.filename().string().substr(0, 200);
+  return directory_of(target) / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), count++);
+}
+
+int open_retrying(const std::filesystem::path& path, int flags) {
+  int descriptor = -1;
+  do {
+    descriptor = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+  } while (descriptor < 0 && errno == EINTR);
+  return descriptor;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const std::filesystem::path& path) : target_(path) {
+  check_writable(path);
+  if (path == kStandardOutput) {
+    descriptor_ = STDOUT_FILENO;
+  } else if (written_directly(path)) {
+    descriptor_ = open_retrying(path, O_WRONLY | O_APPEND);
+    if (descriptor_ < 0) fail(errno);
+  } else {
+    open_temporary();
+  }
+}
+
+OutputFile::~OutputFile() {
+  discard();
+}
+
+void OutputFile::open_temporary() {
+  target_ = follow_links(target_);
+  std::filesystem::path name;
+  do {
+    name = temporary_name(target_);
+    descriptor_ = open_retrying(name, O_WRONLY | O_CREAT | O_EXCL);
+  } while (descriptor_ < 0 && errno == EEXIST);
+  if (descriptor_ < 0) fail(errno);
+  temporary_ = name;
+  // A file that is replaced keeps its permissions; a new one has the usual ones already.
+  struct stat status;
+  if (::stat(target_.c_str(), &status) == 0 && ::fchmod(descriptor_, status.st_mode & 07777) != 0) {
+    fail(errno);
+  }
+}
+
+void OutputFile::write(std::string_view bytes) {
+  constexpr std::size_t largest = std::size_t{1} << 30;
+  while (!bytes.empty()) {
+    const auto written = ::write(descriptor_, bytes.data(), std::min(bytes.size(), largest));
+    if (written > 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    } else if (written == 0) {
+      fail(ENOSPC);
+    } else if (errno != EINTR) {
+      fail(errno);
+    }
+  }
+}
+
+void OutputFile::commit() {
+  if (temporary_.empty()) return close();
+  // Some file systems have nothing to synchronise and say so.
+  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail(errno);
+  close();
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+}
+
+void OutputFile::close() {
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (descriptor != STDOUT_FILENO && ::close(descriptor) != 0 && errno != EINTR) fail(errno);
+}
+
+void OutputFile::discard() noexcept {
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (descriptor >= 0 && descriptor != STDOUT_FILENO) ::close(descriptor);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+}
+
+void OutputFile::fail(int error) {
+  discard();
+  const std::string message =
+      fmt::format("cannot write {}: {}", output_name(target_), std::strerror(error));
+  if (error == EPIPE) throw BrokenPipeError(message);
+  throw FileError(message);
+}
+
+void atomic_write(const std::filesystem::path& path, std::string_view bytes) {
+  atomic_write(path, [bytes](OutputFile& file) { file.write(bytes); });
+}
+
+void atomic_write(const std::filesystem::path& path, const std::function<void(OutputFile&)>& fill) {
+  OutputFile file(path);
+  fill(file);
+  file.commit();
+}
+
+void check_writable(const std::filesystem::path& path) {
+  if (path == kStandardOutput) return;
+  const auto refuse = [&](const std::string& why) {
+    throw FileError(fmt::format("cannot write {}: {}", path.string(), why));
+  };
+  std::error_code error;
+  if (path.empty()) refuse("the path is empty");
+  if (std::filesystem::is_directory(path, error) || !path.has_filename()) {
+    refuse("it is a directory; name a file in it");
+  }
+  const bool exists = std::filesystem::exists(path, error);
+  if (exists && ::access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+  if (written_directly(path)) return;
+  const std::filesystem::path directory = directory_of(follow_links(path));
+  if (!std::filesystem::is_directory(directory, error)) {
+    refuse(fmt::format("there is no directory {}", directory.string()));
+  }
+  if (::access(directory.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+}
+
+}  // namespace hodt
