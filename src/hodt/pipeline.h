@@ -29,6 +29,8 @@ struct TriangulateOptions {
   Index order = 4;
   Objective objective = Objective::min_local_minima;
   Method method = Method::automatic;
+  /// Seconds that searching may take; 0: a fixed amount of work, the same on every machine.
+  double time_limit = 0;
 };
 
 /// What the objective counts, before and after.
