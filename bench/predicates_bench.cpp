@@ -155,5 +155,3 @@ void circle_contains(benchmark::State& state) {
 BENCHMARK(circle_contains);
 
 }  // namespace
-
-BENCHMARK_MAIN();

@@ -29,9 +29,8 @@ int orient_sign(const Vector<T>& a, const Vector<T>& b) {
   return sign_of(cross(a, b));
 }
 
-/// For a - d, b - d and c - d. Differences below 2^62 fit T = int64, below 2^30 T = int32: in
-/// the unit of the differences' bound, squares and cross products are at most 2 and the sum of
-/// three products of them at most 12 < 2^4, so 4 * 62 + 4 bits, or 4 * 30 + 4.
+/// For a - d, b - d and c - d. If T is int64, these must be below 2^62. Then squares and cross
+/// products are at most 2 * 2^124, and three products of them sum up to at most 12 * 2^248 < 2^252.
 template <class T>
 int in_circle_sign(const Vector<T>& a, const Vector<T>& b, const Vector<T>& c) {
   return sign_of(product(square(a), cross(b, c)) + product(square(b), cross(c, a)) +

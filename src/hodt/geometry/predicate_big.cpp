@@ -1,4 +1,4 @@
-// Stage 3: integers of any width.
+// Stage 4: integers of any width.
 #include <algorithm>
 #include <bit>
 #include <cstdint>

@@ -9,7 +9,6 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "hodt/geometry/point.h"
 
@@ -21,23 +20,34 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace hodt::exact {
 
-// ---- Stage 1: floating point with a bound. 0 means undecided. ----
+/// What a stage returns if it does not decide; else it returns a sign: +1, 0 or -1.
+inline constexpr int kUndecided = 2;
 
-/// The sign of orient, or 0 if rounding errors hide it.
+// ---- Stage 1: floating point with a bound. ----
+
+/// A rounded determinant, and a bound on how far rounding may have moved it.
+struct Filtered {
+  double value;
+  double bound;
+
+  /// Whether the sign of value is right. Not if anything overflowed: then both or one are infinite
+  /// or NaN. (An infinite value with a finite bound is a sum that overflowed on the way.)
+  bool certain() const {
+    const double size = std::fabs(value);
+    return size > bound && size <= DBL_MAX;
+  }
+};
+
+/// orient as left - right.
 //
 // Bound. Both products are of two differences, so each is off by (3) and h. Their exact difference
 // is then off by less than 3.5 u (|left| + |right|) + 3 h, and the last subtraction changes no
 // sign. 4 u leaves room for the roundings of the bound itself, and DBL_MIN is far above all h's.
-// An overflow anywhere ends in a bound that is infinite or NaN, and no number exceeds that.
-inline int orient_filter(const Point& a, const Point& b, const Point& c) {
+inline Filtered orient_rounded(const Point& a, const Point& b, const Point& c) {
   constexpr double kRelative = 4 * 0x1p-53;
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
-  const double det = left - right;
-  const double bound = kRelative * (std::fabs(left) + std::fabs(right)) + DBL_MIN;
-  if (std::fabs(det) > bound) [[likely]]
-    return det > 0 ? 1 : -1;
-  return 0;
+  return {left - right, kRelative * (std::fabs(left) + std::fabs(right)) + DBL_MIN};
 }
 
 /// A circle as the plane through its three lifted points, rounded, with a bound on the rounding.
@@ -60,7 +70,7 @@ inline int orient_filter(const Point& a, const Point& b, const Point& c) {
 // Underflow adds less than 20 h (1 + |B|² + |C|² + r). Adding kTiny to |B|² and |C|² adds to the
 // bound at least 12 u kTiny (|B|² + |C|² + r + kTiny), which is much more; it matters to circles
 // smaller than 1e-75 only.
-// Overflow: if f and the bound are finite, so is everything that went into them.
+// If f and the bound are finite, so is everything that went into them.
 class CircleFilter {
  public:
   CircleFilter(const Point& a, const Point& b, const Point& c) : a_(a) {
@@ -77,13 +87,11 @@ class CircleFilter {
     bound_per_r_ = kRelative * ((bb + kTiny) + (cc + kTiny));
   }
 
-  /// The rounded f(p) if its sign is certain, else 0.
-  double certain(const Point& p) const {
+  /// f(p): negative inside.
+  Filtered operator()(const Point& p) const {
     const double x = p.x - a_.x, y = p.y - a_.y;
     const double r = x * x + y * y;
-    const double f = d_ * r + (p_ * x + q_ * y);
-    const double size = std::fabs(f);
-    return size > bound_ + bound_per_r_ * r && size <= DBL_MAX ? f : 0;
+    return {d_ * r + (p_ * x + q_ * y), bound_ + bound_per_r_ * r};
   }
 
  private:
@@ -92,37 +100,43 @@ class CircleFilter {
   double bound_, bound_per_r_;
 };
 
-/// The sign of in_circle_plain, or 0 if rounding errors hide it.
-inline int in_circle_filter(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double f = CircleFilter(a, b, c).certain(d);
-  return (f < 0) - (f > 0);
-}
-
-// ---- Stage 2: ties of the kind that rasters are full of, and integers of fixed width. ----
+// ---- Stage 2: ties of the kind that rasters are full of. ----
 
 /// Whether the four points are the corners of a rectangle with sides along the axes, in any order:
 /// then they are on a circle.
 bool is_rectangle(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// The sign, if all coordinates are multiples of one power of two that is at least 2^-60 times the
-/// largest, and the largest is below 2^61. So for all coordinates between 2^-8 and 1 of the
-/// largest.
-std::optional<int> orient_fixed(const Point& a, const Point& b, const Point& c);
-std::optional<int> in_circle_fixed(const Point& a, const Point& b, const Point& c, const Point& d);
+/// The sign, if f is exact: if all coordinates are multiples of one power of two, and the
+/// differences are not too many units (for in_circle some thousands, for orient some ten millions).
+/// REQUIRES that f is orient_rounded(a, b, c), or CircleFilter(a, b, c)(d).
+int orient_lattice(Filtered f, const Point& a, const Point& b, const Point& c);
+int in_circle_lattice(Filtered f, const Point& a, const Point& b, const Point& c, const Point& d);
 
-// ---- Stage 3: integers of any width. Always decides. ----
+// ---- Stage 3: integers of fixed width. ----
+
+/// The sign, if all coordinates are multiples of one power of two that is at least 2^-60 times the
+/// largest, and the largest is below 2^61. So whenever the smallest is at least 2^-8 of the
+/// largest.
+int orient_fixed(const Point& a, const Point& b, const Point& c);
+int in_circle_fixed(const Point& a, const Point& b, const Point& c, const Point& d);
+
+// ---- Stage 4: integers of any width. Always decides. ----
 
 int orient_big(const Point& a, const Point& b, const Point& c);
 int in_circle_big(const Point& a, const Point& b, const Point& c, const Point& d);
 
-// ---- Stages 2 and 3 in turn, for what the filter left, and the perturbation. ----
+// ---- Stages 2 to 4 in turn, for what the filter left, and the perturbation. ----
+// f is as in stage 2.
 
-int orient_after_filter(const Point& a, const Point& b, const Point& c);
-int in_circle_plain_after_filter(const Point& a, const Point& b, const Point& c, const Point& d);
-bool in_circle_after_filter(const Point& a, const Point& b, const Point& c, const Point& d);
+int orient_after_filter(Filtered f, const Point& a, const Point& b, const Point& c);
+int in_circle_plain_after_filter(Filtered f, const Point& a, const Point& b, const Point& c,
+                                 const Point& d);
+bool in_circle_after_filter(Filtered f, const Point& a, const Point& b, const Point& c,
+                            const Point& d);
 
 /// Whether d is inside once the lifts are raised (see predicates.h).
-/// Requires in_circle_plain(a, b, c, d) == 0.
+/// REQUIRES in_circle_plain(a, b, c, d) == 0; rectangle_tie also is_rectangle(a, b, c, d).
 bool in_circle_tie(const Point& a, const Point& b, const Point& c, const Point& d);
+bool rectangle_tie(const Point& a, const Point& b, const Point& c, const Point& d);
 
 }  // namespace hodt::exact

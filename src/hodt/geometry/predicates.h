@@ -33,24 +33,28 @@ namespace hodt {
 
 /// +1 if a, b, c turn left (counter-clockwise), -1 if they turn right, 0 if they lie on a line.
 inline int orient(const Point& a, const Point& b, const Point& c) {
-  const int sign = exact::orient_filter(a, b, c);
-  return sign != 0 ? sign : exact::orient_after_filter(a, b, c);
+  const exact::Filtered f = exact::orient_rounded(a, b, c);
+  if (f.certain()) [[likely]]
+    return f.value > 0 ? 1 : -1;
+  return exact::orient_after_filter(f, a, b, c);
 }
 
 /// Whether d is inside the circle through a, b, c: the plain definition.
 /// REQUIRES orient(a, b, c) > 0. +1 strictly inside, 0 on the circle, -1 outside.
 inline int in_circle_plain(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const int sign = exact::in_circle_filter(a, b, c, d);
-  return sign != 0 ? sign : exact::in_circle_plain_after_filter(a, b, c, d);
+  const exact::Filtered f = exact::CircleFilter(a, b, c)(d);
+  if (f.certain()) [[likely]]
+    return f.value < 0 ? 1 : -1;
+  return exact::in_circle_plain_after_filter(f, a, b, c, d);
 }
 
 /// The same with the perturbation: never undecided.
 /// REQUIRES orient(a, b, c) > 0.
 inline bool in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const double f = exact::CircleFilter(a, b, c).certain(d);
-  if (f != 0) [[likely]]
-    return f < 0;
-  return exact::in_circle_after_filter(a, b, c, d);
+  const exact::Filtered f = exact::CircleFilter(a, b, c)(d);
+  if (f.certain()) [[likely]]
+    return f.value < 0;
+  return exact::in_circle_after_filter(f, a, b, c, d);
 }
 
 }  // namespace hodt
