@@ -1,0 +1,46 @@
+// How many points a circle holds.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+/// Counts by searching outward: in the Delaunay graph, the points inside a circle together with
+/// any one point on it are connected. (Lifted to the paraboloid they are the vertices of a convex
+/// surface below a plane, and from each of them a path along edges leads ever further below it, to
+/// the lowest; the perturbation changes nothing about this.) So a count costs the neighbours of
+/// what it finds. Holds scratch memory for one thread.
+class CircleCounter {
+ public:
+  explicit CircleCounter(const DelaunayGraph& graph)
+      : graph_(graph), seen_(graph.xy.size(), 0) {}
+
+  /// The number of points inside, or limit + 1 if there are more than `limit`. `start` lists
+  /// vertices on the circle or inside it, at least one.
+  Index count(const Circle& circle, std::span<const VertexId> start, Index limit);
+
+  /// The order of the counter-clockwise triangle abc, or limit + 1.
+  Index triangle_order(VertexId a, VertexId b, VertexId c, Index limit);
+
+  /// The points that the last count found, at most limit + 1 of them.
+  std::span<const VertexId> inside() const { return inside_; }
+
+ private:
+  bool first_visit(VertexId v) {
+    if (seen_[v] == round_) return false;
+    seen_[v] = round_;
+    return true;
+  }
+  void begin_round();
+
+  const DelaunayGraph& graph_;
+  Buffer<std::uint32_t> seen_;  // the round in which a vertex was last looked at
+  std::uint32_t round_ = 0;
+  std::vector<VertexId> inside_;
+};
+
+}  // namespace hodt

@@ -1,0 +1,142 @@
+#include "hodt/order/useful_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cfloat>
+
+namespace hodt {
+
+namespace {
+
+// The questions to the neighbourhood may err on one side only: a slot that is not proven costs
+// time, a slot that is wrongly proven would cost correctness. Their rounding errors are below 16
+// rounding units of the largest terms (compare predicate_stages.h); 32 are taken off.
+constexpr double kSlack = 32 * 0x1p-53;
+constexpr double kTiny = 0x1p-500;  // against underflow, as in CircleFilter
+
+}  // namespace
+
+void UsefulEdgeSearch::begin(VertexId u, Index limit) {
+  u_ = u;
+  limit_ = limit;
+  found_.clear();
+  gather_neighbourhood();
+}
+
+void UsefulEdgeSearch::finish() {
+  for (Index i = 0; i < slots_; ++i) slot_of_[vertex_[i]] = kNoSlot;
+  std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
+    return a.order != b.order ? a.order < b.order : a.to < b.to;
+  });
+}
+
+/// Takes up the vertices nearest to u in the graph, breadth first. Which ones, and how many, has no
+/// effect on the result: each is only one more point that can prove a branch hopeless.
+void UsefulEdgeSearch::gather_neighbourhood() {
+  const Index wanted = std::min(kSlots, 16 + 4 * std::min(limit_, kSlots));
+  slots_ = 0;
+  const Point origin = graph_.point(u_);
+  const auto take = [&](VertexId v) {
+    if (slots_ == wanted || v == u_ || slot_of_[v] != kNoSlot) return;
+    slot_of_[v] = static_cast<std::uint8_t>(slots_);
+    vertex_[slots_] = v;
+    x_[slots_] = graph_.point(v).x - origin.x;
+    y_[slots_] = graph_.point(v).y - origin.y;
+    r_[slots_] = x_[slots_] * x_[slots_] + y_[slots_] * y_[slots_];
+    ++slots_;
+  };
+  graph_.for_each_neighbour(u_, take);
+  for (Index i = 0; i < slots_ && slots_ < wanted; ++i) graph_.for_each_neighbour(vertex_[i], take);
+}
+
+/// Starts the walk across the edge that u sees in one of its triangles.
+void UsefulEdgeSearch::enter(HalfEdgeId opposite) {
+  const VertexId right = graph_.mesh.origin(opposite), left = graph_.mesh.target(opposite);
+  stack_.push_back({.edge = opposite,
+                    .left_ray = left,
+                    .right_ray = right,
+                    .inside_left = bit(left),
+                    .inside_right = bit(right),
+                    .left_sides = proven_sides(left),
+                    .right_sides = proven_sides(right),
+                    .passed_left = 1,
+                    .passed_right = 1,
+                    .distinct_left = 1,
+                    .distinct_right = 1});
+}
+
+UsefulEdgeSearch::Mask UsefulEdgeSearch::ask(const Question& q) const {
+  Mask yes = 0;
+  for (Index i = 0; i < slots_; ++i) {
+    const double value = q.r * r_[i] + (q.x * x_[i] + q.y * y_[i]) + q.constant;
+    yes |= Mask{value < 0 && value >= -DBL_MAX} << i;  // an overflow proves nothing
+  }
+  return yes;
+}
+
+/// Slots certainly inside the circle through u, `right` and `left`: the plane through their lifts,
+/// as CircleFilter has it.
+UsefulEdgeSearch::Mask UsefulEdgeSearch::proven_inside(VertexId right, VertexId left) const {
+  const Point &u = graph_.point(u_), &b = graph_.point(right), &c = graph_.point(left);
+  const double bx = b.x - u.x, by = b.y - u.y, cx = c.x - u.x, cy = c.y - u.y;
+  const double bb = bx * bx + by * by, cc = cx * cx + cy * cy;
+  return ask({.r = bx * cy - by * cx + kSlack * ((bb + kTiny) + (cc + kTiny)),
+              .x = by * cc - bb * cy,
+              .y = bb * cx - bx * cc,
+              .constant = kSlack * ((bb + kTiny) * (cc + kTiny))});
+}
+
+/// Slots certainly to the left and to the right of the ray from u through v.
+UsefulEdgeSearch::Sides UsefulEdgeSearch::proven_sides(VertexId v) const {
+  const double x = graph_.point(v).x - graph_.point(u_).x;
+  const double y = graph_.point(v).y - graph_.point(u_).y;
+  const double slack = kSlack * (x * x + y * y) + DBL_MIN;
+  return {.left = ask({.r = kSlack, .x = y, .y = -x, .constant = slack}),
+          .right = ask({.r = kSlack, .x = -y, .y = x, .constant = slack})};
+}
+
+/// Adds what is inside the circle of the crossed edge to what every later circle holds: on the
+/// left what is to the left of the whole window, that is, of both its rays; likewise on the right.
+void UsefulEdgeSearch::push_if_hopeful(Node& child, Mask inside) {
+  child.inside_left |= inside & child.left_sides.left & child.right_sides.left;
+  child.inside_right |= inside & child.left_sides.right & child.right_sides.right;
+  if (!too_many(child.inside_left, child.distinct_left) &&
+      !too_many(child.inside_right, child.distinct_right))
+    stack_.push_back(child);
+}
+
+bool UsefulEdgeSearch::too_many(Mask mask, Index passed) const {
+  return passed > limit_ || static_cast<Index>(std::popcount(mask)) > limit_;
+}
+
+bool UsefulEdgeSearch::contains(const std::vector<VertexId>& chain, Index length, VertexId v) {
+  return std::find(chain.begin(), chain.begin() + length, v) != chain.begin() + length;
+}
+
+/// Lemma 4: the larger count of the circles through u, v and the first point on either side. The
+/// first point is a corner of a crossed triangle, so one of those passed; and by Corollary 1 those
+/// passed on the other side are all inside, which is where the count starts.
+Index UsefulEdgeSearch::useful_order(VertexId v, Index passed_left, Index passed_right) {
+  const Point &pu = graph_.point(u_), &pv = graph_.point(v);
+  const VertexId s1 = first_point(left_, passed_left, u_, v);
+  const Index order_left =
+      counter_.count(Circle(pu, pv, graph_.point(s1)), {right_.data(), passed_right}, limit_);
+  if (order_left > limit_) return order_left;
+  const VertexId s2 = first_point(right_, passed_right, v, u_);
+  const Index order_right =
+      counter_.count(Circle(pv, pu, graph_.point(s2)), {left_.data(), passed_left}, limit_);
+  return std::max(order_left, order_right);
+}
+
+/// Of the chain, all to the left of ab, the vertex whose circle with a and b holds no other.
+VertexId UsefulEdgeSearch::first_point(const std::vector<VertexId>& chain, Index length,
+                                       VertexId a, VertexId b) const {
+  const Point &pa = graph_.point(a), &pb = graph_.point(b);
+  VertexId first = chain[0];
+  for (Index i = 1; i < length; ++i)
+    if (in_circle(pa, pb, graph_.point(first), graph_.point(chain[i]))) first = chain[i];
+  return first;
+}
+
+}  // namespace hodt

@@ -1,0 +1,153 @@
+// Useful edges from a vertex: the edges that some triangulation of order k contains (Lemma 4).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hodt/order/circle_counter.h"
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+/// An edge from a vertex that was asked about, with its useful order.
+struct UsefulEdge {
+  VertexId to;
+  Index order = 0;
+};
+
+/// Finds the useful edges of a vertex beyond its Delaunay edges. Holds scratch memory for one
+/// thread. docs/design/useful-edges.md tells how it works and why it is exact.
+class UsefulEdgeSearch {
+ public:
+  explicit UsefulEdgeSearch(const DelaunayGraph& graph)
+      : graph_(graph), counter_(graph), slot_of_(graph.xy.size(), kNoSlot) {}
+
+  /// All edges from u of useful order 1 to `limit` whose other end `wanted` accepts; sorted by
+  /// order, then by vertex. The result lives until the next call.
+  template <class Wanted>
+  const std::vector<UsefulEdge>& from(VertexId u, Index limit, const Wanted& wanted) {
+    begin(u, limit);
+    for_each_outgoing(graph_.mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
+      enter(TriangleMesh::next(h));
+      while (!stack_.empty()) step(wanted);
+    });
+    finish();
+    return found_;
+  }
+
+ private:
+  /// A set of slots of the neighbourhood.
+  using Mask = std::uint64_t;
+  static constexpr Index kSlots = 64;
+  static constexpr std::uint8_t kNoSlot = 255;
+
+  /// What lies proven to the left and to the right of a ray from u.
+  struct Sides {
+    Mask left, right;
+  };
+
+  /// Segments from u across `edge` into directions strictly between two rays.
+  struct Node {
+    HalfEdgeId edge;             // crossed, seen from u: its origin on the right, target on the left
+    VertexId left_ray, right_ray;
+    Mask inside_left, inside_right;  // proven inside every later circle on that side
+    Sides left_sides, right_sides;   // of the two rays
+    Index passed_left, passed_right;  // the chains' lengths
+    // A segment can pass the same vertex more than once, around the end of an edge that it does not
+    // cross. The cut counts vertices once.
+    Index distinct_left, distinct_right;
+  };
+
+  /// A question to all slots at once: q r + x_coefficient x + y_coefficient y + constant < 0, with
+  /// (x, y) relative to u and r = x² + y².
+  struct Question {
+    double r, x, y, constant;
+  };
+
+  void begin(VertexId u, Index limit);
+  void finish();
+  void gather_neighbourhood();
+  void enter(HalfEdgeId opposite);
+  Mask ask(const Question& q) const;
+  Mask bit(VertexId v) const { return slot_of_[v] == kNoSlot ? 0 : Mask{1} << slot_of_[v]; }
+  Mask proven_inside(VertexId right, VertexId left) const;
+  Sides proven_sides(VertexId v) const;
+  void push_if_hopeful(Node& child, Mask inside);
+  bool too_many(Mask mask, Index passed) const;
+  static bool contains(const std::vector<VertexId>& chain, Index length, VertexId v);
+  Index useful_order(VertexId v, Index passed_left, Index passed_right);
+  VertexId first_point(const std::vector<VertexId>& chain, Index length, VertexId a,
+                       VertexId b) const;
+
+  template <class Wanted>
+  void step(const Wanted& wanted);
+
+  const DelaunayGraph& graph_;
+  CircleCounter counter_;
+  VertexId u_;
+  Index limit_ = 0;
+  std::vector<Node> stack_;
+  // Vertices passed on the way to the node at hand; a node knows how many of them are its own.
+  std::vector<VertexId> left_, right_;
+  std::vector<UsefulEdge> found_;
+
+  // The neighbourhood of u: vertices and their coordinates relative to u.
+  Index slots_ = 0;
+  Buffer<std::uint8_t> slot_of_;
+  VertexId vertex_[kSlots];
+  alignas(64) double x_[kSlots], y_[kSlots], r_[kSlots];
+};
+
+template <class Wanted>
+void UsefulEdgeSearch::step(const Wanted& wanted) {
+  const Node node = stack_.back();
+  stack_.pop_back();
+  const HalfEdgeId across = graph_.mesh.twin(node.edge);
+  if (!across.valid()) return;
+  const VertexId right = graph_.mesh.origin(node.edge), left = graph_.mesh.origin(across);
+  const VertexId w = graph_.mesh.apex(across);
+  left_.resize(node.passed_left);
+  right_.resize(node.passed_right);
+  left_.back() = left;  // a popped sibling may have written its own vertex here
+  right_.back() = right;
+
+  const Point &pu = graph_.point(u_), &pw = graph_.point(w);
+  const bool left_of_right_ray = orient(pu, graph_.point(node.right_ray), pw) > 0;
+  const bool right_of_left_ray = orient(pu, pw, graph_.point(node.left_ray)) > 0;
+  const bool visible = left_of_right_ray && right_of_left_ray;
+  const Mask in_rw = left_of_right_ray ? proven_inside(right, w) : 0;
+  const Mask in_wl = right_of_left_ray ? proven_inside(w, left) : 0;
+  const Sides sides_of_w = visible ? proven_sides(w) : Sides{0, 0};
+
+  if (visible && wanted(w) && !too_many(node.inside_right | (in_wl & sides_of_w.right), 0) &&
+      !too_many(node.inside_left | (in_rw & sides_of_w.left), 0)) {
+    const Index order = useful_order(w, node.passed_left, node.passed_right);
+    if (order <= limit_) found_.push_back({w, order});
+  }
+  if (left_of_right_ray) {  // on across right -> w; w is passed on the left
+    Node child = node;
+    child.edge = TriangleMesh::next(across);
+    if (visible) {
+      child.left_ray = w;
+      child.left_sides = sides_of_w;
+    }
+    child.inside_left |= bit(w);
+    child.distinct_left += !contains(left_, node.passed_left, w);
+    ++child.passed_left;
+    push_if_hopeful(child, in_rw);
+  }
+  if (right_of_left_ray) {  // on across w -> left; w is passed on the right
+    Node child = node;
+    child.edge = TriangleMesh::prev(across);
+    if (visible) {
+      child.right_ray = w;
+      child.right_sides = sides_of_w;
+    }
+    child.inside_right |= bit(w);
+    child.distinct_right += !contains(right_, node.passed_right, w);
+    ++child.passed_right;
+    push_if_hopeful(child, in_wl);
+  }
+}
+
+}  // namespace hodt
