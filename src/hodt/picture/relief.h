@@ -1,0 +1,25 @@
+// The colours of the ground: a tint by height, shaded by a lamp in the north-west. Internal to this
+// layer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace hodt {
+
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend auto operator<=>(const Colour&, const Colour&) = default;
+};
+
+/// The tint of a height, given as a share of the range: 0 the lowest, 1 the highest.
+Colour tint(double share);
+
+/// The tint as it looks on a slope with the given gradient. Few shades, so that triangles of one
+/// colour can share a path.
+Colour shaded(double share, double slope_x, double slope_y);
+
+}  // namespace hodt
