@@ -65,6 +65,7 @@ OutputFile::OutputFile(const std::filesystem::path& path) : target_(path) {
   check_writable(path);
   if (path == kStandardOutput) {
     descriptor_ = STDOUT_FILENO;
+    owns_descriptor_ = false;
   } else if (written_directly(path)) {
     descriptor_ = open_retrying(path, O_WRONLY | O_APPEND);
     if (descriptor_ < 0) fail(errno);
@@ -118,12 +119,12 @@ void OutputFile::commit() {
 
 void OutputFile::close() {
   const int descriptor = std::exchange(descriptor_, -1);
-  if (descriptor != STDOUT_FILENO && ::close(descriptor) != 0 && errno != EINTR) fail(errno);
+  if (owns_descriptor_ && ::close(descriptor) != 0 && errno != EINTR) fail(errno);
 }
 
 void OutputFile::discard() noexcept {
   const int descriptor = std::exchange(descriptor_, -1);
-  if (descriptor >= 0 && descriptor != STDOUT_FILENO) ::close(descriptor);
+  if (descriptor >= 0 && owns_descriptor_) ::close(descriptor);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
   temporary_.clear();
 }

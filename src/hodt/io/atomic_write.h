@@ -39,6 +39,7 @@ class OutputFile {
   std::filesystem::path target_;
   std::filesystem::path temporary_;  ///< empty if writing directly
   int descriptor_ = -1;
+  bool owns_descriptor_ = true;
 };
 
 /// Writes a whole file through OutputFile. Throws FileError (and what `fill` throws).

@@ -41,7 +41,7 @@ std::string known_extensions() {
 }
 
 [[noreturn]] void throw_unknown(std::string_view verb, const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = format_extension(path);
   throw ParameterError(fmt::format(
       "cannot {} a mesh {}: {}; known are {}", verb, path.string(),
       extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'",

@@ -1,0 +1,175 @@
+// hodt check: is it a mesh, and of which order?
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "app/common.h"
+#include <fmt/format.h>
+
+#include "hodt/base/parallel.h"
+#include "hodt/geometry/predicates.h"
+#include "hodt/io/tin_file.h"
+#include "hodt/order/mesh_order.h"
+#include "hodt/tin/embedding.h"
+
+namespace hodt::app {
+
+namespace {
+
+struct Arguments {
+  std::string tin;
+  std::string order;
+  bool strict = false;
+  std::string threads;
+  std::string json;
+};
+
+/// All that the command finds out. The order is known of embedded meshes only.
+struct Findings {
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  Embedding embedding;
+  std::optional<MeshOrder> order;
+  std::optional<ExtremaCount> extrema;
+};
+
+void make_counter_clockwise(Tin& tin) {
+  const auto& xy = tin.points.xy;
+  for (auto& [a, b, c] : tin.triangles) {
+    if (orient(xy[a], xy[b], xy[c]) < 0) std::swap(b, c);
+  }
+}
+
+Findings examine(Tin tin) {
+  Findings findings;
+  findings.points = tin.points.size();
+  findings.triangles = tin.triangles.size();
+  findings.embedding = check_embedding(tin.points.xy, tin.triangles);
+  if (!findings.embedding.embedded) return findings;
+  if (findings.embedding.clockwise > 0) make_counter_clockwise(tin);
+  findings.order = order_of_mesh(tin.points, tin.triangles);
+  if (tin.points.has_heights()) findings.extrema = count_extrema(tin.points, tin.triangles);
+  return findings;
+}
+
+bool is_of_order(const Findings& findings, Index k) {
+  return findings.order && findings.order->order_plain <= k;
+}
+
+bool passes(const Findings& findings, std::optional<Index> k, bool strict) {
+  const Embedding& embedding = findings.embedding;
+  if (!embedding.embedded) return false;
+  if (k && !is_of_order(findings, *k)) return false;
+  return !strict || (embedding.covers_hull && embedding.unused_vertices == 0);
+}
+
+Json findings_json(const Findings& findings, std::optional<Index> k) {
+  const Embedding& embedding = findings.embedding;
+  Json json = {{"points", findings.points},
+               {"triangles", findings.triangles},
+               {"embedded", embedding.embedded},
+               {"problem", nullptr},
+               {"covers_hull", embedding.covers_hull},
+               {"unused_vertices", embedding.unused_vertices},
+               {"clockwise", embedding.clockwise},
+               {"components", nullptr},
+               {"boundary_edges", nullptr},
+               {"order", nullptr},
+               {"order_plain", nullptr},
+               {"order_histogram", nullptr}};
+  if (!embedding.embedded) json["problem"] = embedding.problem;
+  if (embedding.embedded) json["components"] = embedding.components;
+  if (embedding.embedded) json["boundary_edges"] = embedding.boundary_edges;
+  if (findings.order) {
+    json["order"] = findings.order->order;
+    json["order_plain"] = findings.order->order_plain;
+    json["order_histogram"] = findings.order->histogram;
+  }
+  if (k) {
+    json["k"] = *k;
+    json["k_od"] = is_of_order(findings, *k);
+  }
+  if (findings.extrema) {
+    json["local_minima"] = to_json(findings.extrema->minima);
+    json["local_maxima"] = to_json(findings.extrema->maxima);
+    json["pits"] = to_json(findings.extrema->pits);
+  }
+  return json;
+}
+
+std::string histogram_line(const MeshOrder& order) {
+  std::string text = fmt::format("{:<16}", "triangles of");
+  for (std::size_t i = 0; i < order.histogram.size(); ++i) {
+    if (order.histogram[i] > 0) text += fmt::format(" order {}: {};", i, order.histogram[i]);
+  }
+  text.back() = '\n';
+  return text;
+}
+
+std::string summary(const Findings& findings, std::optional<Index> k) {
+  const Embedding& embedding = findings.embedding;
+  std::string text = fmt::format("{:<16} {}, {}\n", "mesh", counted(findings.points, "point"),
+                                 counted(findings.triangles, "triangle"));
+  if (!embedding.embedded)
+    return text + fmt::format("{:<16} no: {}\n", "embedded", embedding.problem);
+  text += fmt::format("{:<16} yes, {}\n", "embedded", counted(embedding.components, "component"));
+  text += fmt::format("{:<16} {}\n", "covers the hull", embedding.covers_hull ? "yes" : "no");
+  text += fmt::format("{:<16} {}\n", "unused vertices", embedding.unused_vertices);
+  text += fmt::format("{:<16} {} (ties perturbed: {})\n", "order", findings.order->order_plain,
+                      findings.order->order);
+  text += histogram_line(*findings.order);
+  if (k)
+    text += fmt::format("order {} or less  {}\n", *k, is_of_order(findings, *k) ? "yes" : "no");
+  if (findings.extrema) {
+    const auto& [minima, maxima, pits] = *findings.extrema;
+    for (const auto& [name, count] :
+         {std::pair("local minima", minima), {"local maxima", maxima}, {"pits", pits}}) {
+      text += fmt::format("{:<16} {} (interior {}, boundary {})\n", name, count.total(),
+                          count.interior, count.boundary);
+    }
+  }
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  std::optional<Index> k;
+  if (!arguments.order.empty()) k = parse_order(arguments.order);
+  const ThreadLimit limit(parse_threads(arguments.threads));
+  check_targets({}, arguments.json);
+  Findings findings;
+  {
+    TerminalProgress progress;
+    progress.report("reading");
+    Tin tin = read_tin(arguments.tin);
+    progress.report("checking");
+    findings = examine(std::move(tin));
+  }
+  if (!arguments.json.empty()) write_json(findings_json(findings, k), arguments.json);
+  if (arguments.json != "-") print(summary(findings, k));
+  return passes(findings, k, arguments.strict) ? kOk : kNo;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command =
+      *app.add_subcommand("check", "Check a mesh: is it embedded, and of which order?");
+  command.add_option("TIN", arguments->tin, "Mesh: .obj or .ply, also .gz; - is standard input")
+      ->required();
+  command.add_option("-k,--order", arguments->order, "Require this order or less")->type_name("K");
+  command.add_flag("--strict", arguments->strict,
+                   "Require also that it covers the convex hull with no vertex unused");
+  add_threads(command, arguments->threads);
+  command.add_option("--json", arguments->json, "Write the findings as JSON; - is standard output")
+      ->type_name("FILE");
+  command.footer(
+      "Exit status: 0 if the mesh is as required, 1 if not, 2 for bad input or usage.\n"
+      "Examples:\n"
+      "  hodt check terrain.ply\n"
+      "  hodt check terrain.ply -k 4 --strict --json -");
+  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace hodt::app

@@ -1,0 +1,98 @@
+// What the subcommands share.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "hodt/base/ids.h"
+#include "hodt/base/progress.h"
+#include "hodt/geometry/point_set.h"
+#include "hodt/tin/extrema.h"
+
+namespace hodt::app {
+
+/// Exit codes: a promise to users.
+inline constexpr int kOk = 0;
+inline constexpr int kNo = 1;     ///< `check` finds that the answer is no
+inline constexpr int kError = 2;  ///< bad input or usage
+
+/// Keys in the order of their insertion.
+using Json = nlohmann::ordered_json;
+
+/// What the chosen subcommand does; returns the exit code. Throws hodt::Error.
+using Action = std::function<int()>;
+
+/// Each adds a subcommand to the command line, and sets `action` when it is chosen.
+void add_triangulate(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_sample(CLI::App& app, Action& action);
+
+/// A whole number of at least `least` from an option's text; anything larger than `most` is
+/// `most`. Throws ParameterError, naming the option.
+std::uint64_t parse_whole(std::string_view option, const std::string& text, std::uint64_t least,
+                          std::uint64_t most);
+
+/// The order k from -k's text; a huge one means unrestricted all the same.
+Index parse_order(const std::string& text);
+
+/// Seconds from --time-limit's text; empty is 0. Throws ParameterError.
+double parse_seconds(const std::string& text);
+
+/// The option --threads, as text, with its description.
+void add_threads(CLI::App& command, std::string& threads);
+/// Its value for ThreadLimit.
+std::size_t parse_threads(const std::string& text);
+
+/// Writes text to standard output. If nobody reads it any more, that is no error.
+void print(std::string_view text);
+
+/// Writes JSON to a file, or to standard output for "-".
+void write_json(const Json& json, const std::filesystem::path& path);
+
+/// Throws if the two name the same file, or one cannot be written. An empty path is no file.
+void check_targets(const std::filesystem::path& output, const std::filesystem::path& json);
+
+Json to_json(const SplitCount& count);
+
+/// A count as a whole number, anything else as it is.
+Json to_json(double value);
+
+/// "1 point", "2 points".
+std::string counted(std::size_t count, std::string_view thing);
+
+/// How many points have a different (x, y) from all points before them.
+std::size_t count_distinct(const PointSet& points);
+
+class Stopwatch {
+ public:
+  /// Seconds since the last lap, or since the start.
+  double lap();
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Says on the terminal what a long job is doing; says nothing if there is no terminal.
+class TerminalProgress {
+ public:
+  TerminalProgress();
+  ~TerminalProgress();
+  void report(std::string_view phase, double fraction = -1);
+
+ private:
+  bool shown_ = false;
+  std::unique_ptr<ProgressRelay> relay_;
+};
+
+}  // namespace hodt::app

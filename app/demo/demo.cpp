@@ -1,0 +1,122 @@
+// hodt_demo: the main job on real terrain, for growing orders, with a picture and a mesh to look
+// at.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
+#include "hodt/io/atomic_write.h"
+#include "hodt/io/tin_file.h"
+#include "hodt/picture/picture.h"
+#include "hodt/pipeline.h"
+#include "hodt/terrain/terrain.h"
+
+namespace {
+
+using namespace hodt;
+
+constexpr Index kOrders[] = {0, 1, 2, 4, 8};
+constexpr Index kShownOrder = 8;
+
+/// In degrees, at corner a of the triangle a, b, c.
+double angle(const Point& a, const Point& b, const Point& c) {
+  const double cross = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
+  return std::atan2(std::abs(cross), dot) * 180 / std::numbers::pi;
+}
+
+double smallest_angle(const Tin& tin) {
+  double smallest = 180;
+  for (const auto& corner : tin.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      smallest =
+          std::min(smallest, angle(tin.points.xy[corner[i]], tin.points.xy[corner[(i + 1) % 3]],
+                                   tin.points.xy[corner[(i + 2) % 3]]));
+    }
+  }
+  return smallest;
+}
+
+/// What the last line of the output claims, looked at once more.
+void require_as_promised(const PointSet& points, const TriangulateResult& result) {
+  if (result.tin.points.xy != points.xy || result.tin.points.z != points.z) {
+    throw Error("the points of the result are not those of the input");
+  }
+  if (result.report.order > result.report.k) {
+    throw Error(
+        fmt::format("a triangle has order {} at k = {}", result.report.order, result.report.k));
+  }
+}
+
+void print_heading() {
+  fmt::print("  k   local minima   interior        bound   largest   smallest   seconds\n");
+  fmt::print("      before after   after                   order     angle\n");
+}
+
+void print_row(const TriangulateResult& result) {
+  const Report& report = result.report;
+  const std::string bound =
+      fmt::format("{:.0f}{}", report.value->bound, report.value->optimal ? " (reached)" : "");
+  fmt::print("{:>3}   {:>6} {:>5}   {:>8}   {:>10}   {:>7}   {:>7.2f}°   {:>7.3f}\n", report.k,
+             report.extrema_delaunay->minima.total(), report.extrema_result->minima.total(),
+             report.extrema_result->minima.interior, bound, report.order,
+             smallest_angle(result.tin), report.seconds.delaunay + report.seconds.optimize);
+}
+
+void write_pictures(const Tin& delaunay, const Tin& shown, const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  PictureOptions options;
+  options.title = fmt::format("Jacksboro, Tennessee: {} points, order k = {}", shown.points.size(),
+                              kShownOrder);
+  options.caption = fmt::format(
+      "Each new edge lets water out of a hollow that the Delaunay triangulation had dammed. No "
+      "height is changed, and no circumcircle of a triangle holds more than {} points.",
+      kShownOrder);
+  const auto picture = directory / "jacksboro.svg";
+  const auto mesh = directory / fmt::format("jacksboro_k{}.obj", kShownOrder);
+  atomic_write(picture, svg_comparison(delaunay, shown, options));
+  write_tin(shown, mesh);
+  fmt::print("\nWrote {} and {}\n", picture.string(), mesh.string());
+}
+
+void run(const std::filesystem::path& directory) {
+  const PointSet points = sample_terrain("jacksboro", 0, 1);
+  fmt::print("Jacksboro, Tennessee: {} elevation points (SRTM), as few local minima as can be\n\n",
+             points.size());
+  print_heading();
+  Tin delaunay;
+  Tin shown;
+  for (const Index k : kOrders) {
+    TriangulateOptions options;
+    options.order = k;
+    TriangulateResult result = triangulate(points, options);
+    require_as_promised(points, result);
+    print_row(result);
+    if (k == 0) delaunay = result.tin;
+    if (k == kShownOrder) shown = std::move(result.tin);
+  }
+  fmt::print("\nNo height was changed; every triangle was verified to be of order <= k.\n");
+  write_pictures(delaunay, shown, directory);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 2) {
+    fmt::print(stderr, "usage: hodt_demo [OUTPUT_DIRECTORY]   (default: demo)\n");
+    return 2;
+  }
+  try {
+    run(argc == 2 ? argv[1] : "demo");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "hodt_demo: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

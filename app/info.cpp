@@ -1,0 +1,140 @@
+// hodt info: what is in a file of points?
+#include <algorithm>
+#include <vector>
+
+#include "app/common.h"
+#include <fmt/format.h>
+
+#include "hodt/base/parallel.h"
+#include "hodt/geometry/predicates.h"
+#include "hodt/io/point_file.h"
+
+namespace hodt::app {
+
+namespace {
+
+struct Arguments {
+  std::string input;
+  std::string threads;
+  std::string json;
+};
+
+struct Range {
+  double low = 0;
+  double high = 0;
+};
+
+struct Findings {
+  std::size_t points = 0;
+  std::size_t distinct = 0;
+  Range x, y;
+  std::optional<Range> z;
+  bool collinear = false;
+  /// What stands in the way of a triangulation, or is worth knowing.
+  std::vector<std::string> hints;
+};
+
+template <class Values, class Get>
+Range range_of(const Values& values, const Get& get) {
+  Range range{get(values[0]), get(values[0])};
+  for (const auto& value : values) {
+    range.low = std::min(range.low, get(value));
+    range.high = std::max(range.high, get(value));
+  }
+  return range;
+}
+
+bool all_collinear(const std::vector<Point>& points) {
+  const Point& first = points.front();
+  const auto other =
+      std::find_if(points.begin(), points.end(), [&](const Point& p) { return p != first; });
+  if (other == points.end()) return true;
+  return std::all_of(other, points.end(),
+                     [&](const Point& p) { return orient(first, *other, p) == 0; });
+}
+
+Findings examine(const PointSet& points) {
+  Findings findings;
+  findings.points = points.size();
+  findings.distinct = count_distinct(points);
+  findings.x = range_of(points.xy, [](const Point& p) { return p.x; });
+  findings.y = range_of(points.xy, [](const Point& p) { return p.y; });
+  if (points.has_heights()) findings.z = range_of(points.z, [](double z) { return z; });
+  findings.collinear = all_collinear(points.xy);
+  if (findings.distinct < 3) {
+    findings.hints.push_back("fewer than three distinct points: there is no triangle");
+  } else if (findings.collinear) {
+    findings.hints.push_back("all points lie on a line: there is no triangle");
+  }
+  if (findings.distinct < findings.points) {
+    findings.hints.push_back("of points with equal x and y, the lowest stays");
+  }
+  if (!findings.z) findings.hints.push_back("no heights: planar objectives and 'none' only");
+  return findings;
+}
+
+Json to_json(const Range& range) {
+  return {range.low, range.high};
+}
+
+Json findings_json(const Findings& findings) {
+  return {{"points", findings.points},
+          {"distinct", findings.distinct},
+          {"duplicates", findings.points - findings.distinct},
+          {"x", to_json(findings.x)},
+          {"y", to_json(findings.y)},
+          {"heights", findings.z.has_value()},
+          {"z", findings.z ? to_json(*findings.z) : Json(nullptr)},
+          {"collinear", findings.collinear},
+          {"hints", findings.hints}};
+}
+
+std::string summary(const Findings& findings) {
+  const auto line = [](std::string_view name, const Range& range) {
+    return fmt::format("{:<7} {} to {}\n", name, range.low, range.high);
+  };
+  std::string text =
+      fmt::format("{:<7} {} ({} distinct, {})\n", "points", findings.points, findings.distinct,
+                  counted(findings.points - findings.distinct, "duplicate"));
+  text += line("x", findings.x) + line("y", findings.y);
+  text += findings.z ? line("z", *findings.z) : "z       none\n";
+  for (const std::string& hint : findings.hints) text += fmt::format("{:<7} {}\n", "hint", hint);
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  const ThreadLimit limit(parse_threads(arguments.threads));
+  check_targets({}, arguments.json);
+  Findings findings;
+  {
+    TerminalProgress progress;
+    progress.report("reading");
+    const PointSet points = read_points(arguments.input);
+    progress.report("counting");
+    findings = examine(points);
+  }
+  if (!arguments.json.empty()) write_json(findings_json(findings), arguments.json);
+  if (arguments.json != "-") print(summary(findings));
+  return kOk;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("info", "Say what is in a file of points");
+  command
+      .add_option("INPUT", arguments->input,
+                  "Points: CSV, TSV or XYZ, also .gz; - is standard input")
+      ->required();
+  add_threads(command, arguments->threads);
+  command.add_option("--json", arguments->json, "Write the findings as JSON; - is standard output")
+      ->type_name("FILE");
+  command.footer(
+      "Examples:\n"
+      "  hodt info terrain.csv\n"
+      "  hodt info terrain.xyz.gz --json -");
+  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace hodt::app

@@ -1,0 +1,106 @@
+// The hodt command.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/common.h"
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "hodt/base/error.h"
+#include "hodt/io/atomic_write.h"
+
+namespace hodt::app {
+
+namespace {
+
+/// A closed standard stream would lend its number to the next file that opens, and what is printed
+/// would end up there.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // Opened the wrong way round, so that using it fails as it did before.
+    if (::fcntl(stream, F_GETFD) < 0) {
+      ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+}
+
+/// Failing writes are to be errors that we see, not signals that kill.
+void ignore_write_signals() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+int complain(std::string message) {
+  for (char& c : message) {
+    if (c == '\n') c = ' ';
+  }
+  fmt::print(stderr, "hodt: {}\n", message);
+  return kError;
+}
+
+/// CLI11 would only say that a subcommand is required.
+void check_command_name(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw ParameterError(fmt::format("there is no command '{}'; known are {}", argv[1], known));
+}
+
+/// Parses the command line into an action; help and version are actions too.
+Action parse(CLI::App& app, int argc, char** argv) {
+  Action action;
+  add_triangulate(app, action);
+  add_check(app, action);
+  add_info(app, action);
+  add_sample(app, action);
+  check_command_name(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const std::string help = app.help();
+    return [help] { return print(help), kOk; };
+  } catch (const CLI::CallForVersion& version) {
+    const std::string text = fmt::format("{}\n", version.what());
+    return [text] { return print(text), kOk; };
+  }
+  return action;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Higher order Delaunay triangulations: terrain meshes of controlled quality.",
+               "hodt");
+  app.set_version_flag("--version", "hodt " HODT_VERSION);
+  app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) { return error.what(); });
+  app.footer("'hodt COMMAND --help' explains a command, with examples.");
+  try {
+    return parse(app, argc, argv)();
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = app.get_subcommands();
+    return complain(fmt::format("{} (see 'hodt {}--help')", error.what(),
+                                chosen.empty() ? "" : chosen[0]->get_name() + " "));
+  } catch (const BrokenPipeError&) {
+    return kOk;
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory");
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
+
+}  // namespace
+
+}  // namespace hodt::app
+
+int main(int argc, char** argv) {
+  hodt::app::occupy_standard_streams();
+  hodt::app::ignore_write_signals();
+  return hodt::app::run(argc, argv);
+}

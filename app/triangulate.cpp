@@ -1,0 +1,163 @@
+// hodt triangulate: points in, a mesh out.
+#include "app/common.h"
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
+#include "hodt/base/parallel.h"
+#include "hodt/io/atomic_write.h"
+#include "hodt/io/point_file.h"
+#include "hodt/io/tin_file.h"
+#include "hodt/pipeline.h"
+
+namespace hodt::app {
+
+namespace {
+
+struct Arguments {
+  std::string input;
+  std::string output;
+  std::string order = "4";
+  std::string objective = "min-local-minima";
+  std::string method = "auto";
+  std::string time_limit;
+  std::string threads;
+  std::string json;
+};
+
+/// The same count of both triangulations, as JSON.
+Json extrema_json(const Report& report, SplitCount ExtremaCount::*count) {
+  if (!report.extrema_delaunay || !report.extrema_result) return nullptr;
+  return {{"delaunay", to_json((*report.extrema_delaunay).*count)},
+          {"result", to_json((*report.extrema_result).*count)}};
+}
+
+Json value_json(const Report& report) {
+  if (!report.value) return nullptr;
+  return {{"delaunay", to_json(report.value->delaunay)},
+          {"result", to_json(report.value->result)},
+          {"bound", to_json(report.value->bound)},
+          {"optimal", report.value->optimal}};
+}
+
+Json report_json(const Report& report) {
+  return {{"points", report.points},
+          {"duplicates", report.duplicates},
+          {"triangles", report.triangles},
+          {"k", report.k},
+          {"order", report.order},
+          {"order_histogram", report.order_histogram},
+          {"objective", name_of(report.objective)},
+          {"value", value_json(report)},
+          {"local_minima", extrema_json(report, &ExtremaCount::minima)},
+          {"local_maxima", extrema_json(report, &ExtremaCount::maxima)},
+          {"pits", extrema_json(report, &ExtremaCount::pits)},
+          {"seconds",
+           {{"read", report.seconds.read},
+            {"delaunay", report.seconds.delaunay},
+            {"optimize", report.seconds.optimize},
+            {"write", report.seconds.write}}}};
+}
+
+std::string extrema_line(std::string_view name, const Report& report,
+                         SplitCount ExtremaCount::*count) {
+  if (!report.extrema_delaunay || !report.extrema_result) return {};
+  const SplitCount& before = (*report.extrema_delaunay).*count;
+  const SplitCount& after = (*report.extrema_result).*count;
+  return fmt::format("{:<13} {} -> {} (interior {} -> {}, boundary {} -> {})\n", name,
+                     before.total(), after.total(), before.interior, after.interior,
+                     before.boundary, after.boundary);
+}
+
+std::string summary(const Report& report, const Arguments& arguments) {
+  std::string text = fmt::format("{:<13} {}, {} dropped\n", "points", report.points,
+                                 counted(report.duplicates, "duplicate"));
+  text += fmt::format("{:<13} {}, of order {} at most (allowed: {})\n", "triangles",
+                      report.triangles, report.order, report.k);
+  if (report.value) {
+    text += fmt::format("{:<13} {} -> {}, proven bound {}{}\n", name_of(report.objective),
+                        report.value->delaunay, report.value->result, report.value->bound,
+                        report.value->optimal ? ": optimal" : "");
+  }
+  text += extrema_line("local minima", report, &ExtremaCount::minima);
+  text += extrema_line("local maxima", report, &ExtremaCount::maxima);
+  text += extrema_line("pits", report, &ExtremaCount::pits);
+  const Seconds& seconds = report.seconds;
+  text += fmt::format("{:<13} read {:.3f}, delaunay {:.3f}, optimize {:.3f}, write {:.3f}\n",
+                      "seconds", seconds.read, seconds.delaunay, seconds.optimize, seconds.write);
+  return text + fmt::format("{:<13} {}\n", "written", arguments.output);
+}
+
+TriangulateOptions options_of(const Arguments& arguments) {
+  TriangulateOptions options;
+  options.order = parse_order(arguments.order);
+  options.objective = objective_from_name(arguments.objective);
+  options.method = method_from_name(arguments.method);
+  options.time_limit = parse_seconds(arguments.time_limit);
+  return options;
+}
+
+int run(const Arguments& arguments) {
+  // All that can be refused is refused before the work begins.
+  const TriangulateOptions options = options_of(arguments);
+  const ThreadLimit limit(parse_threads(arguments.threads));
+  check_output_extension(arguments.output);
+  check_targets(arguments.output, arguments.json);
+
+  Stopwatch watch;
+  TriangulateResult result;
+  {
+    TerminalProgress progress;
+    progress.report("reading");
+    const PointSet points = read_points(arguments.input);
+    const double read = watch.lap();
+    progress.report("triangulating");
+    result = triangulate(points, options);
+    result.report.seconds.read = read;
+    progress.report("writing");
+    watch.lap();
+    write_tin(result.tin, arguments.output);
+    result.report.seconds.write = watch.lap();
+  }
+  if (!arguments.json.empty()) write_json(report_json(result.report), arguments.json);
+  if (arguments.json != "-") print(summary(result.report, arguments));
+  return kOk;
+}
+
+}  // namespace
+
+void add_triangulate(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command =
+      *app.add_subcommand("triangulate", "Triangulate points, with low order and few pits");
+  command
+      .add_option("INPUT", arguments->input,
+                  "Points: CSV, TSV or XYZ, also .gz; - is standard input")
+      ->required();
+  command.add_option("-o,--output", arguments->output, "Mesh to write: .obj or .ply")
+      ->required()
+      ->type_name("OUTPUT");
+  command
+      .add_option("-k,--order", arguments->order,
+                  "Points allowed inside a circumcircle; 0 is Delaunay (default: 4)")
+      ->type_name("K");
+  command
+      .add_option("--objective", arguments->objective,
+                  "What to optimise (default: min-local-minima)")
+      ->type_name("OBJ");
+  command.add_option("--method", arguments->method, "auto, greedy, flip or exact (default: auto)")
+      ->type_name("M");
+  command.add_option("--time-limit", arguments->time_limit, "Seconds that the search may take")
+      ->type_name("S");
+  add_threads(command, arguments->threads);
+  command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
+      ->type_name("FILE");
+  command.footer(
+      "Objectives: min-local-minima, min-local-maxima, min-local-extrema, none.\n"
+      "Examples:\n"
+      "  hodt triangulate terrain.csv -o terrain.ply\n"
+      "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
+      "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");
+  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace hodt::app

@@ -1,0 +1,122 @@
+#include "hodt/io/atomic_write.h"
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "temporary_directory.h"
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+namespace hodt {
+namespace {
+
+using test::content_of;
+using test::message_of;
+using test::TemporaryDirectory;
+
+mode_t mode_of(const std::filesystem::path& path) {
+  struct stat status;
+  EXPECT_EQ(::stat(path.c_str(), &status), 0);
+  return status.st_mode & 07777;
+}
+
+TEST(AtomicWrite, MakesAnOrdinaryFile) {
+  const TemporaryDirectory directory;
+  const mode_t old = ::umask(027);
+  atomic_write(directory / "new", "content");
+  ::umask(old);
+  EXPECT_EQ(content_of(directory / "new"), "content");
+  EXPECT_EQ(mode_of(directory / "new"), mode_t{0640});
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(AtomicWrite, ReplacesAndKeepsPermissions) {
+  const TemporaryDirectory directory;
+  const auto path = directory.file("old", "before");
+  ::chmod(path.c_str(), 0600);
+  atomic_write(path, "after");
+  EXPECT_EQ(content_of(path), "after");
+  EXPECT_EQ(mode_of(path), mode_t{0600});
+}
+
+TEST(AtomicWrite, WritesThroughLinks) {
+  const TemporaryDirectory directory;
+  const auto target = directory.file("target", "before");
+  std::filesystem::create_symlink("target", directory / "link");
+  std::filesystem::create_symlink("nothing-yet", directory / "dangling");
+  atomic_write(directory / "link", "after");
+  atomic_write(directory / "dangling", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(directory / "link"));
+  EXPECT_EQ(content_of(target), "after");
+  EXPECT_TRUE(std::filesystem::is_symlink(directory / "dangling"));
+  EXPECT_EQ(content_of(directory / "nothing-yet"), "new");
+}
+
+TEST(AtomicWrite, LeavesTheOldFileIfTheWriterThrows) {
+  const TemporaryDirectory directory;
+  const auto path = directory.file("old", "before");
+  const auto fill = [](OutputFile& file) {
+    file.write("half");
+    throw InputError("stop");
+  };
+  EXPECT_THROW(atomic_write(path, fill), InputError);
+  EXPECT_EQ(content_of(path), "before");
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+/// Files may not grow beyond `bytes`: as good as a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_;
+  void (*handler_)(int);
+};
+
+TEST(AtomicWrite, LeavesTheOldFileIfTheDiskIsFull) {
+  const TemporaryDirectory directory;
+  const auto path = directory.file("old", "before");
+  const std::string large(100000, 'x');
+  std::string message;
+  {
+    const FileSizeLimit limit(50000);
+    message = message_of<FileError>([&] { atomic_write(path, large); });
+    EXPECT_THROW(atomic_write(directory / "new", large), FileError);
+  }
+  EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+  EXPECT_EQ(content_of(path), "before");
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(AtomicWrite, WritesDevicesDirectly) {
+  EXPECT_NO_THROW(atomic_write("/dev/null", "nothing"));
+  const std::string message = message_of<FileError>([] { atomic_write("/dev/full", "much"); });
+  EXPECT_NE(message.find("No space"), std::string::npos) << message;
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(AtomicWrite, RefusesBeforehandWhatCannotWork) {
+  const TemporaryDirectory directory;
+  EXPECT_THROW(check_writable(directory.path()), FileError);
+  EXPECT_THROW(check_writable(directory / "none" / "file"), FileError);
+  EXPECT_THROW(check_writable(""), FileError);
+  EXPECT_NO_THROW(check_writable(directory / "file"));
+  EXPECT_NO_THROW(check_writable("-"));
+  EXPECT_NO_THROW(check_writable("file-in-this-directory"));
+  EXPECT_EQ(directory.entries(), 0u);
+}
+
+}  // namespace
+}  // namespace hodt
