@@ -51,7 +51,9 @@ Points integer_points_on_circle(int radius_squared) {
   return points;
 }
 
+/// Zero stays: its neighbours are 10^-324, which is another family's business.
 double move_by_ulps(double value, int ulps) {
+  if (value == 0) return value;
   const double towards =
       ulps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
   for (int i = 0; i < std::abs(ulps); ++i) value = std::nextafter(value, towards);

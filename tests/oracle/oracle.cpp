@@ -65,6 +65,7 @@ Instance::Instance(const Points& points, const Heights& z) : points_(points) {
   scale_to_integers(exact);
   fill_orientations();
   rank_lexicographically();
+  find_hull();
   plain_sign_.assign(choose4(stride()), kUnknown);
   perturbed_sign_.assign(choose4(stride()), kUnknown);
   set_heights(z);
@@ -221,11 +222,13 @@ bool Instance::is_hull_half_edge(int u, int v) const {
   return is_segment_free(u, v);
 }
 
-bool Instance::is_on_hull(int v) const {
-  for (int w = 0; w < size(); ++w) {
-    if (w != v && is_hull_half_edge(v, w)) return true;
+void Instance::find_hull() {
+  on_hull_.assign(points_.size(), false);
+  for (int u = 0; u < size(); ++u) {
+    for (int v = 0; v < size(); ++v) {
+      if (u != v && is_hull_half_edge(u, v)) on_hull_[u] = on_hull_[v] = true;
+    }
   }
-  return false;
 }
 
 bool Instance::triangles_overlap(const Triangle& s, const Triangle& t) const {

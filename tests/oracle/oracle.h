@@ -81,7 +81,7 @@ class Instance {
   bool is_triangle_empty(int a, int b, int c) const;
   /// v follows u counter-clockwise on the boundary of the convex hull, collinear points included.
   bool is_hull_half_edge(int u, int v) const;
-  bool is_on_hull(int v) const;
+  bool is_on_hull(int v) const { return on_hull_[v]; }
 
   /// Points strictly inside the circumcircle. Requires a triangle that is not degenerate.
   int triangle_order(int a, int b, int c) const;
@@ -124,6 +124,7 @@ class Instance {
   void scale_to_integers(const std::vector<RationalPoint>& exact);
   void fill_orientations();
   void rank_lexicographically();
+  void find_hull();
   int determinant_sign(int i, int j, int k, int l) const;
   int perturbed_determinant_sign(int i, int j, int k, int l) const;
   template <class Sign>
@@ -140,6 +141,7 @@ class Instance {
   std::vector<mpz_class> double_area_;  // of i < j < k
   std::vector<int> lexicographic_rank_;
   std::vector<int> height_rank_;
+  std::vector<bool> on_hull_;
   mutable std::vector<std::int8_t> plain_sign_, perturbed_sign_;  // of i < j < k < l
 };
 
