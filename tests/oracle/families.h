@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,6 +92,11 @@ struct Family {
   std::string name;
   std::function<Points(int n, std::uint64_t seed)> make;
 };
+
+/// The name that GoogleTest gives a test of this family.
+inline void PrintTo(const Family& family, std::ostream* out) {
+  *out << family.name;
+}
 
 struct HeightFamily {
   std::string name;
