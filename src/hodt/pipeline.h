@@ -4,24 +4,15 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hodt/base/ids.h"
 #include "hodt/geometry/point_set.h"
+#include "hodt/optimize/objective.h"
 #include "hodt/tin/extrema.h"
 #include "hodt/tin/tin.h"
 
 namespace hodt {
-
-enum class Objective { none, min_local_minima, min_local_maxima, min_local_extrema };
-enum class Method { automatic, greedy, flip, exact };
-
-/// The objective or method of that name on the command line ("min-local-minima", "auto").
-/// Throws ParameterError, naming the ones there are, for any other name.
-Objective objective_from_name(std::string_view name);
-Method method_from_name(std::string_view name);
-std::string_view name_of(Objective objective);
 
 struct TriangulateOptions {
   /// The order k: no circumcircle of the result holds more than k points. Larger than n - 3 means

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -29,6 +30,19 @@ template <class F, class G>
 void parallel_invoke(const F& f, const G& g) {
   tbb::parallel_invoke(f, g);
 }
+
+/// One T for every thread that asks, made by `make` on the first call. For scratch memory only:
+/// results must not depend on which thread did what.
+template <class T>
+class PerThread {
+ public:
+  template <class Make>
+  explicit PerThread(const Make& make) : values_(make) {}
+  T& mine() { return values_.local(); }
+
+ private:
+  tbb::enumerable_thread_specific<T> values_;
+};
 
 /// While it lives, at most `threads` threads compute (0: as many as the machine has cores).
 class ThreadLimit {

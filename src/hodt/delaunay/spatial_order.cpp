@@ -255,4 +255,25 @@ SpatialOrder spatial_order(const PointSet& points) {
   return order;
 }
 
+Buffer<VertexId> vertices_of_rows(const PointSet& points, const VertexSet& vertices) {
+  Buffer<VertexId> vertex_of(points.size(), VertexId());
+  for (Index v = 0; v < vertices.size(); ++v) vertex_of[vertices.row[v]] = VertexId(v);
+  if (vertices.size() == points.size()) return vertex_of;
+
+  // Duplicates find their vertex by search in lexicographic order.
+  std::vector<Index> sorted(vertices.size());
+  for (Index v = 0; v < sorted.size(); ++v) sorted[v] = v;
+  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) {
+    return lexicographically_less(vertices.xy[a], vertices.xy[b]);
+  });
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    if (vertex_of[row].valid()) continue;
+    const auto same = std::lower_bound(
+        sorted.begin(), sorted.end(), points.xy[row],
+        [&](Index v, const Point& p) { return lexicographically_less(vertices.xy[v], p); });
+    vertex_of[row] = VertexId(*same);
+  }
+  return vertex_of;
+}
+
 }  // namespace hodt

@@ -35,4 +35,7 @@ struct SpatialOrder {
 /// points or more.
 SpatialOrder spatial_order(const PointSet& points);
 
+/// The vertex that stands for each input row: for a dropped duplicate, the vertex at its place.
+Buffer<VertexId> vertices_of_rows(const PointSet& points, const VertexSet& vertices);
+
 }  // namespace hodt

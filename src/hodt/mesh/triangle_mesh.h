@@ -70,6 +70,7 @@ class TriangleMesh {
   const Buffer<Index>& origins() const { return origin_; }
   const Buffer<Index>& twins() const { return twin_; }
   Buffer<Index>& origins() { return origin_; }
+  Buffer<Index>& twins() { return twin_; }
 
  private:
   std::size_t vertices_ = 0;

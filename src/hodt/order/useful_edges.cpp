@@ -1,21 +1,9 @@
 #include "hodt/order/useful_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cfloat>
 
 namespace hodt {
-
-namespace {
-
-// The questions to the neighbourhood may err on one side only: a slot that is not proven costs
-// time, a slot that is wrongly proven would cost correctness. Their rounding errors are below 16
-// rounding units of the largest terms (compare predicate_stages.h); 32 are taken off.
-constexpr double kSlack = 32 * 0x1p-53;
-constexpr double kTiny = 0x1p-500;  // against underflow, as in CircleFilter
-
-}  // namespace
 
 void UsefulEdgeSearch::begin(VertexId u, Index limit) {
   u_ = u;
@@ -25,7 +13,7 @@ void UsefulEdgeSearch::begin(VertexId u, Index limit) {
 }
 
 void UsefulEdgeSearch::finish() {
-  for (Index i = 0; i < slots_; ++i) slot_of_[vertex_[i]] = kNoSlot;
+  for (Index i = 0; i < slots_.size(); ++i) slot_of_[vertex_[i]] = kNoSlot;
   std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
     return a.order != b.order ? a.order < b.order : a.to < b.to;
   });
@@ -35,19 +23,17 @@ void UsefulEdgeSearch::finish() {
 /// effect on the result: each is only one more point that can prove a branch hopeless.
 void UsefulEdgeSearch::gather_neighbourhood() {
   const Index wanted = std::min(kSlots, 16 + 4 * std::min(limit_, kSlots));
-  slots_ = 0;
+  slots_.clear();
   const Point origin = graph_.point(u_);
   const auto take = [&](VertexId v) {
-    if (slots_ == wanted || v == u_ || slot_of_[v] != kNoSlot) return;
-    slot_of_[v] = static_cast<std::uint8_t>(slots_);
-    vertex_[slots_] = v;
-    x_[slots_] = graph_.point(v).x - origin.x;
-    y_[slots_] = graph_.point(v).y - origin.y;
-    r_[slots_] = x_[slots_] * x_[slots_] + y_[slots_] * y_[slots_];
-    ++slots_;
+    if (slots_.size() == wanted || v == u_ || slot_of_[v] != kNoSlot) return;
+    vertex_[slots_.size()] = v;
+    slot_of_[v] = static_cast<std::uint8_t>(slots_.size());
+    slots_.add(graph_.point(v).x - origin.x, graph_.point(v).y - origin.y);
   };
   graph_.for_each_neighbour(u_, take);
-  for (Index i = 0; i < slots_ && slots_ < wanted; ++i) graph_.for_each_neighbour(vertex_[i], take);
+  for (Index i = 0; i < slots_.size() && slots_.size() < wanted; ++i)
+    graph_.for_each_neighbour(vertex_[i], take);
 }
 
 /// Starts the walk across the edge that u sees in one of its triangles.
@@ -66,34 +52,14 @@ void UsefulEdgeSearch::enter(HalfEdgeId opposite) {
                     .distinct_right = 1});
 }
 
-UsefulEdgeSearch::Mask UsefulEdgeSearch::ask(const Question& q) const {
-  Mask yes = 0;
-  for (Index i = 0; i < slots_; ++i) {
-    const double value = q.r * r_[i] + (q.x * x_[i] + q.y * y_[i]) + q.constant;
-    yes |= Mask{value < 0 && value >= -DBL_MAX} << i;  // an overflow proves nothing
-  }
-  return yes;
-}
-
-/// Slots certainly inside the circle through u, `right` and `left`: the plane through their lifts,
-/// as CircleFilter has it.
 UsefulEdgeSearch::Mask UsefulEdgeSearch::proven_inside(VertexId right, VertexId left) const {
   const Point &u = graph_.point(u_), &b = graph_.point(right), &c = graph_.point(left);
-  const double bx = b.x - u.x, by = b.y - u.y, cx = c.x - u.x, cy = c.y - u.y;
-  const double bb = bx * bx + by * by, cc = cx * cx + cy * cy;
-  return ask({.r = bx * cy - by * cx + kSlack * ((bb + kTiny) + (cc + kTiny)),
-              .x = by * cc - bb * cy,
-              .y = bb * cx - bx * cc,
-              .constant = kSlack * ((bb + kTiny) * (cc + kTiny))});
+  return slots_.inside_circle(b.x - u.x, b.y - u.y, c.x - u.x, c.y - u.y);
 }
 
-/// Slots certainly to the left and to the right of the ray from u through v.
 UsefulEdgeSearch::Sides UsefulEdgeSearch::proven_sides(VertexId v) const {
-  const double x = graph_.point(v).x - graph_.point(u_).x;
-  const double y = graph_.point(v).y - graph_.point(u_).y;
-  const double slack = kSlack * (x * x + y * y) + DBL_MIN;
-  return {.left = ask({.r = kSlack, .x = y, .y = -x, .constant = slack}),
-          .right = ask({.r = kSlack, .x = -y, .y = x, .constant = slack})};
+  return slots_.sides_of_ray(graph_.point(v).x - graph_.point(u_).x,
+                             graph_.point(v).y - graph_.point(u_).y);
 }
 
 /// Adds what is inside the circle of the crossed edge to what every later circle holds: on the

@@ -1,11 +1,13 @@
 // Useful edges from a vertex: the edges that some triangulation of order k contains (Lemma 4).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "hodt/order/circle_counter.h"
 #include "hodt/order/delaunay_graph.h"
+#include "hodt/order/slots.h"
 
 namespace hodt {
 
@@ -36,15 +38,10 @@ class UsefulEdgeSearch {
   }
 
  private:
-  /// A set of slots of the neighbourhood.
-  using Mask = std::uint64_t;
-  static constexpr Index kSlots = 64;
+  using Mask = Slots::Mask;
+  using Sides = Slots::Sides;
+  static constexpr Index kSlots = Slots::kCapacity;
   static constexpr std::uint8_t kNoSlot = 255;
-
-  /// What lies proven to the left and to the right of a ray from u.
-  struct Sides {
-    Mask left, right;
-  };
 
   /// Segments from u across `edge` into directions strictly between two rays.
   struct Node {
@@ -58,17 +55,10 @@ class UsefulEdgeSearch {
     Index distinct_left, distinct_right;
   };
 
-  /// A question to all slots at once: q r + x_coefficient x + y_coefficient y + constant < 0, with
-  /// (x, y) relative to u and r = x² + y².
-  struct Question {
-    double r, x, y, constant;
-  };
-
   void begin(VertexId u, Index limit);
   void finish();
   void gather_neighbourhood();
   void enter(HalfEdgeId opposite);
-  Mask ask(const Question& q) const;
   Mask bit(VertexId v) const { return slot_of_[v] == kNoSlot ? 0 : Mask{1} << slot_of_[v]; }
   Mask proven_inside(VertexId right, VertexId left) const;
   Sides proven_sides(VertexId v) const;
@@ -91,11 +81,10 @@ class UsefulEdgeSearch {
   std::vector<VertexId> left_, right_;
   std::vector<UsefulEdge> found_;
 
-  // The neighbourhood of u: vertices and their coordinates relative to u.
-  Index slots_ = 0;
+  // The neighbourhood of u.
   Buffer<std::uint8_t> slot_of_;
-  VertexId vertex_[kSlots];
-  alignas(64) double x_[kSlots], y_[kSlots], r_[kSlots];
+  std::array<VertexId, kSlots> vertex_;
+  Slots slots_;
 };
 
 template <class Wanted>
@@ -115,16 +104,20 @@ void UsefulEdgeSearch::step(const Wanted& wanted) {
   const bool left_of_right_ray = orient(pu, graph_.point(node.right_ray), pw) > 0;
   const bool right_of_left_ray = orient(pu, pw, graph_.point(node.left_ray)) > 0;
   const bool visible = left_of_right_ray && right_of_left_ray;
-  const Mask in_rw = left_of_right_ray ? proven_inside(right, w) : 0;
-  const Mask in_wl = right_of_left_ray ? proven_inside(w, left) : 0;
-  const Sides sides_of_w = visible ? proven_sides(w) : Sides{0, 0};
+  const bool try_left = left_of_right_ray && !too_many(node.inside_left | bit(w), 0);
+  const bool try_right = right_of_left_ray && !too_many(node.inside_right | bit(w), 0);
+  const bool try_w = visible && wanted(w);
+  if (!try_left && !try_right && !try_w) return;
 
-  if (visible && wanted(w) && !too_many(node.inside_right | (in_wl & sides_of_w.right), 0) &&
+  const Mask in_rw = try_left || try_w ? proven_inside(right, w) : 0;
+  const Mask in_wl = try_right || try_w ? proven_inside(w, left) : 0;
+  const Sides sides_of_w = visible ? proven_sides(w) : Sides{0, 0};
+  if (try_w && !too_many(node.inside_right | (in_wl & sides_of_w.right), 0) &&
       !too_many(node.inside_left | (in_rw & sides_of_w.left), 0)) {
     const Index order = useful_order(w, node.passed_left, node.passed_right);
     if (order <= limit_) found_.push_back({w, order});
   }
-  if (left_of_right_ray) {  // on across right -> w; w is passed on the left
+  if (try_left) {  // on across right -> w; w is passed on the left
     Node child = node;
     child.edge = TriangleMesh::next(across);
     if (visible) {
@@ -136,7 +129,7 @@ void UsefulEdgeSearch::step(const Wanted& wanted) {
     ++child.passed_left;
     push_if_hopeful(child, in_rw);
   }
-  if (right_of_left_ray) {  // on across w -> left; w is passed on the right
+  if (try_right) {  // on across w -> left; w is passed on the right
     Node child = node;
     child.edge = TriangleMesh::prev(across);
     if (visible) {

@@ -1,0 +1,30 @@
+// Comparing heights, and the extrema of a triangulation that changes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hodt/base/ids.h"
+#include "hodt/geometry/point.h"
+
+namespace hodt {
+
+/// What a vertex is an extremum of.
+enum class Extremum : std::uint8_t { minimum, maximum };
+
+/// The order of heights: by z, ties by x and then y.
+struct Heights {
+  std::span<const Point> xy;
+  std::span<const double> z;
+
+  bool lower(VertexId u, VertexId v) const {
+    if (z[u] != z[v]) return z[u] < z[v];
+    return lexicographically_less(xy[u], xy[v]);
+  }
+  /// Whether v, as a neighbour of u, keeps u from being an extremum of that kind.
+  bool removes(VertexId v, VertexId u, Extremum kind) const {
+    return kind == Extremum::minimum ? lower(v, u) : lower(u, v);
+  }
+};
+
+}  // namespace hodt

@@ -1,0 +1,62 @@
+#include "hodt/order/mesh_order.h"
+
+#include <algorithm>
+
+#include "hodt/base/parallel.h"
+#include "hodt/order/circle_counter.h"
+
+namespace hodt {
+
+namespace {
+
+struct Counts {
+  Index order = 0;
+  Index order_plain = 0;
+  std::vector<std::size_t> histogram;
+
+  void add(Index perturbed, Index plain) {
+    order = std::max(order, perturbed);
+    order_plain = std::max(order_plain, plain);
+    if (histogram.size() <= plain) histogram.resize(plain + 1, 0);
+    ++histogram[plain];
+  }
+};
+
+}  // namespace
+
+MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index, 3>> triangles) {
+  const Delaunay delaunay = hodt::delaunay({points.xy, {}});
+  const DelaunayGraph graph(delaunay);
+  const Buffer<VertexId> vertex_of = vertices_of_rows(points, delaunay.vertices);
+
+  constexpr std::size_t kPiece = 1024;
+  const std::size_t pieces = (triangles.size() + kPiece - 1) / kPiece;
+  std::vector<Counts> counts(pieces);
+  PerThread<CircleCounter> counters([&] { return CircleCounter(graph); });
+  parallel_for(0, pieces, 1, [&](std::size_t first, std::size_t last) {
+    CircleCounter& counter = counters.mine();
+    for (std::size_t piece = first; piece < last; ++piece) {
+      const std::size_t end = std::min(triangles.size(), (piece + 1) * kPiece);
+      for (std::size_t t = piece * kPiece; t < end; ++t) {
+        const auto [a, b, c] = triangles[t];
+        const Circle circle(points.xy[a], points.xy[b], points.xy[c]);
+        const VertexId corners[] = {vertex_of[a]};
+        const Index order = counter.count(circle, corners, kNone - 1);
+        const auto inside = [&](VertexId v) { return circle.side_plain(graph.point(v)) > 0; };
+        const auto plain = std::count_if(counter.inside().begin(), counter.inside().end(), inside);
+        counts[piece].add(order, static_cast<Index>(plain));
+      }
+    }
+  });
+
+  MeshOrder all;
+  for (const Counts& c : counts) {
+    all.order = std::max(all.order, c.order);
+    all.order_plain = std::max(all.order_plain, c.order_plain);
+    if (all.histogram.size() < c.histogram.size()) all.histogram.resize(c.histogram.size(), 0);
+    for (std::size_t i = 0; i < c.histogram.size(); ++i) all.histogram[i] += c.histogram[i];
+  }
+  return all;
+}
+
+}  // namespace hodt

@@ -1,0 +1,134 @@
+#include "hodt/pipeline.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
+#include "hodt/base/parallel.h"
+#include "hodt/delaunay/delaunay.h"
+#include "hodt/optimize/remove_extrema.h"
+#include "hodt/order/delaunay_graph.h"
+#include "hodt/order/triangulation_order.h"
+
+namespace hodt {
+
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last lap.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void require_heights(const PointSet& points, Objective objective) {
+  if (objective == Objective::none || points.has_heights()) return;
+  throw InputError(fmt::format(
+      "the objective {} needs heights, and the points have none; add a z column or choose none",
+      name_of(objective)));
+}
+
+/// Vertex numbers of the output: input order, dropped duplicates left out.
+class OutputNumbering {
+ public:
+  OutputNumbering(const VertexSet& vertices, std::size_t rows)
+      : of_row_(rows, kNone), of_vertex_(vertices.size()) {
+    for (const Index row : vertices.row) of_row_[row] = 0;
+    Index next = 0;
+    for (Index& number : of_row_)
+      if (number != kNone) number = next++;
+    parallel_for(0, vertices.size(), 1 << 15, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) of_vertex_[v] = of_row_[vertices.row[v]];
+    });
+  }
+  bool is_kept(std::size_t row) const { return of_row_[row] != kNone; }
+  Index operator[](VertexId v) const { return of_vertex_[v]; }
+
+ private:
+  Buffer<Index> of_row_, of_vertex_;
+};
+
+std::vector<std::array<Index, 3>> triangle_list(const TriangleMesh& mesh,
+                                                const OutputNumbering& numbering) {
+  std::vector<std::array<Index, 3>> triangles(mesh.triangle_count());
+  parallel_for(0, triangles.size(), 1 << 15, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const auto [a, b, c] = mesh.corners(TriangleId(Index(t)));
+      triangles[t] = {numbering[a], numbering[b], numbering[c]};
+    }
+  });
+  return triangles;
+}
+
+PointSet kept_points(const PointSet& points, const OutputNumbering& numbering, std::size_t count) {
+  if (count == points.size()) return points;
+  PointSet kept;
+  for (std::size_t row = 0; row < points.size(); ++row) {
+    if (!numbering.is_kept(row)) continue;
+    kept.xy.push_back(points.xy[row]);
+    if (points.has_heights()) kept.z.push_back(points.z[row]);
+  }
+  return kept;
+}
+
+}  // namespace
+
+TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
+  require_heights(points, options.objective);
+  TriangulateResult result;
+  Report& report = result.report;
+  Tin& tin = result.tin;
+  Stopwatch watch;
+
+  Delaunay delaunay = hodt::delaunay(points);
+  const std::size_t n = delaunay.vertices.size();
+  const OutputNumbering numbering(delaunay.vertices, points.size());
+  tin.triangles = triangle_list(delaunay.mesh, numbering);
+  report.seconds.delaunay = watch.lap();
+
+  tin.points = kept_points(points, numbering, n);
+  if (points.has_heights()) report.extrema_delaunay = count_extrema(tin.points, tin.triangles);
+  report.extrema_result = report.extrema_delaunay;
+  report.points = points.size();
+  report.duplicates = points.size() - n;
+  report.triangles = tin.triangles.size();
+  report.k = options.order;
+  report.objective = options.objective;
+  report.order_histogram = {tin.triangles.size()};
+  if (options.objective == Objective::none) return result;
+
+  watch.lap();
+  const DelaunayGraph graph(delaunay);
+  ExtremaSolution solution =
+      remove_extrema({.graph = graph,
+                      .z = delaunay.vertices.z,
+                      .order = std::min(options.order, static_cast<Index>(n - 3)),
+                      .objective = options.objective,
+                      .method = options.method});
+  report.order_histogram = order_histogram(graph, solution.mesh);
+  report.order = static_cast<Index>(report.order_histogram.size() - 1);
+  if (report.order > options.order)
+    throw std::logic_error(fmt::format("a triangle of order {} where {} was asked for; this is a "
+                                       "defect of hodt, please report it with the input",
+                                       report.order, options.order));
+  report.value = Value{.delaunay = double(solution.delaunay),
+                       .result = double(solution.result),
+                       .bound = double(solution.bound),
+                       .optimal = solution.result == solution.bound};
+  report.seconds.optimize = watch.lap();
+
+  tin.triangles = triangle_list(solution.mesh, numbering);
+  report.extrema_result = count_extrema(tin.points, tin.triangles);
+  return result;
+}
+
+}  // namespace hodt
