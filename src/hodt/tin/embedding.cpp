@@ -121,7 +121,7 @@ class Pieces {
 class Checker {
  public:
   Checker(std::span<const Point> points, std::span<const Triangle> triangles)
-      : points_(points), triangles_(triangles.begin(), triangles.end()) {}
+      : points_(points), given_(triangles), triangles_(triangles.begin(), triangles.end()) {}
 
   Embedding check() {
     mark_used();
@@ -233,9 +233,9 @@ class Checker {
            lexicographically_less(a, p) == lexicographically_less(p, b);
   }
 
-  /// "triangle 5 (1, 2, 3)"
+  /// "triangle 5 (1, 2, 3)", as given.
   std::string name(Index t) const {
-    const auto& [a, b, c] = triangles_[t];
+    const auto& [a, b, c] = given_[t];
     return fmt::format("triangle {} ({}, {}, {})", t, a, b, c);
   }
 
@@ -300,7 +300,8 @@ class Checker {
   }
 
   std::span<const Point> points_;
-  std::vector<Triangle> triangles_;
+  std::span<const Triangle> given_;
+  std::vector<Triangle> triangles_;  ///< counter-clockwise
   std::vector<bool> used_;
   std::vector<BoundaryEdge> boundary_;
   Embedding result_;
