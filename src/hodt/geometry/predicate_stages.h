@@ -30,8 +30,8 @@ struct Filtered {
   double value;
   double bound;
 
-  /// Whether the sign of value is right. Not if anything overflowed: then both or one are infinite
-  /// or NaN. (An infinite value with a finite bound is a sum that overflowed on the way.)
+  /// Whether the sign of value is right. Not if anything overflowed: what is infinite or NaN stays
+  /// so through sums and products, and ends up in value or in bound.
   bool certain() const {
     const double size = std::fabs(value);
     return size > bound && size <= DBL_MAX;
@@ -70,7 +70,6 @@ inline Filtered orient_rounded(const Point& a, const Point& b, const Point& c) {
 // Underflow adds less than 20 h (1 + |B|² + |C|² + r). Adding kTiny to |B|² and |C|² adds to the
 // bound at least 12 u kTiny (|B|² + |C|² + r + kTiny), which is much more; it matters to circles
 // smaller than 1e-75 only.
-// If f and the bound are finite, so is everything that went into them.
 class CircleFilter {
  public:
   CircleFilter(const Point& a, const Point& b, const Point& c) : a_(a) {
