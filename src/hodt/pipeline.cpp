@@ -8,6 +8,7 @@
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/delaunay/delaunay.h"
+#include "hodt/optimize/first_order_extrema.h"
 #include "hodt/optimize/remove_extrema.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
@@ -80,6 +81,19 @@ PointSet kept_points(const PointSet& points, const OutputNumbering& numbering, s
   return kept;
 }
 
+ExtremaSolution optimize(const DelaunayGraph& graph, const VertexSet& vertices,
+                         const TriangulateOptions& options) {
+  if (options.order == 1 && options.objective == Objective::min_local_extrema)
+    return minimize_first_order_extrema(graph, vertices.z);
+  // More than n - 3 points are never inside a circle.
+  const Index unrestricted = static_cast<Index>(vertices.size() - 3);
+  return remove_extrema({.graph = graph,
+                         .z = vertices.z,
+                         .order = std::min(options.order, unrestricted),
+                         .objective = options.objective,
+                         .method = options.method});
+}
+
 }  // namespace
 
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
@@ -108,12 +122,7 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
 
   watch.lap();
   const DelaunayGraph graph(delaunay);
-  ExtremaSolution solution =
-      remove_extrema({.graph = graph,
-                      .z = delaunay.vertices.z,
-                      .order = std::min(options.order, static_cast<Index>(n - 3)),
-                      .objective = options.objective,
-                      .method = options.method});
+  ExtremaSolution solution = optimize(graph, delaunay.vertices, options);
   report.order_histogram = order_histogram(graph, solution.mesh);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hodt/base/parallel.h"
+#include "hodt/optimize/heights.h"
 #include "hodt/order/circle_counter.h"
 #include "hodt/order/constrained_triangulation.h"
 #include "hodt/order/useful_edges.h"

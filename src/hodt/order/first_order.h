@@ -1,0 +1,18 @@
+// The structure of first-order Delaunay triangulations (Section 4 of the paper).
+#pragma once
+
+#include <vector>
+
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+/// Whether the Delaunay edge of h is crossed by a useful edge of order 1: then its quadrilateral is
+/// convex, and either diagonal may be chosen whatever is chosen elsewhere (Lemma 5, Corollary 3).
+/// All other edges are fixed: they are in every triangulation of order 1.
+bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h);
+
+/// The flippable edges, one half-edge each (the smaller of the two), ascending. O(n).
+std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph);
+
+}  // namespace hodt
