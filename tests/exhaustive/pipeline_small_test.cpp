@@ -82,7 +82,7 @@ std::string describe(const Instance& instance, Objective objective, int k) {
 }
 
 TEST_P(Small, order_0_is_the_delaunay_triangulation) {
-  for_each_set(slow() ? 200 : 20, [](Instance& instance, const Catalogue&, int) {
+  for_each_set(slow() ? 500 : 40, [](Instance& instance, const Catalogue&, int) {
     hodt::TriangulateOptions options;
     options.order = 0;
     options.objective = Objective::none;
@@ -97,7 +97,7 @@ TEST_P(Small, order_0_is_the_delaunay_triangulation) {
 }
 
 TEST_P(Small, no_better_than_the_optimum_and_no_worse_than_promised) {
-  for_each_set(slow() ? 60 : 5, [&](Instance& instance, const Catalogue& catalogue, int seed) {
+  for_each_set(slow() ? 100 : 15, [&](Instance& instance, const Catalogue& catalogue, int seed) {
     const oracle::Triangles delaunay = instance.delaunay();
     for (const auto& heights : families::all_heights()) {
       instance.set_heights(heights.make(instance.points(), seed));
@@ -147,7 +147,7 @@ std::vector<std::pair<std::string, hodt::Method>> methods() {
 }
 
 TEST_P(Small, every_method) {
-  for_each_set(slow() ? 20 : 1, [&](Instance& instance, const Catalogue& catalogue, int seed) {
+  for_each_set(slow() ? 50 : 5, [&](Instance& instance, const Catalogue& catalogue, int seed) {
     instance.set_heights(families::permutation_heights(instance.points(), seed));
     const oracle::Optima optima = catalogue.optima(instance);
     for (const auto& [name, method] : methods()) {
