@@ -22,7 +22,7 @@ constexpr double kTintSteps = 14;
 constexpr double kShadeSteps = 10;
 
 std::uint8_t channel(double value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
 Colour tint_times(double share, double light) {

@@ -1,0 +1,60 @@
+# A thin front: CMake does the work, in build/<preset>. The two to know: make demo, make test.
+
+.PHONY: help demo build test bench lint format asan tsan clean
+
+help:
+	@echo "make demo    build hodt and run it on real terrain; results in demo/"
+	@echo "make test    build and run all tests"
+	@echo "make build   build the command: build/release/hodt"
+	@echo "make bench   build and run the benchmarks"
+	@echo "make lint    check the layers, the format and clang-tidy's rules"
+	@echo "make format  format all sources"
+	@echo "make asan    the tests with address and undefined behaviour sanitizers"
+	@echo "make tsan    the tests with the thread sanitizer"
+
+# Each goal says whether it wants tests: the cache of an earlier one must not decide.
+demo:
+	@scripts/dependencies.sh build
+	cmake --preset release -DHODT_BUILD_TESTS=OFF
+	cmake --build --preset release --target hodt hodt_demo
+	build/release/hodt_demo demo
+
+build:
+	@scripts/dependencies.sh build
+	cmake --preset release -DHODT_BUILD_TESTS=OFF
+	cmake --build --preset release --target hodt
+
+test:
+	@scripts/dependencies.sh test
+	cmake --preset release -DHODT_BUILD_TESTS=ON
+	cmake --build --preset release
+	ctest --test-dir build/release --output-on-failure -j2
+
+bench:
+	@scripts/dependencies.sh bench
+	cmake --preset bench
+	cmake --build --preset bench
+	@for program in build/bench/bench/*_bench build/bench/bench/*_vs_*; do echo "$$program"; "$$program" || exit 1; done
+
+asan:
+	@scripts/dependencies.sh test
+	cmake --preset asan -DHODT_BUILD_TESTS=ON
+	cmake --build --preset asan
+	ctest --test-dir build/asan --output-on-failure -j2
+
+# Debian's TBB is not built with the sanitizer, which so cannot see how it synchronises.
+tsan:
+	@scripts/dependencies.sh test
+	cmake --preset tsan -DHODT_BUILD_TESTS=ON
+	cmake --build --preset tsan
+	TSAN_OPTIONS="suppressions=$(CURDIR)/scripts/tsan_suppressions.txt" \
+	  ctest --test-dir build/tsan --output-on-failure -j2
+
+lint:
+	scripts/lint.sh
+
+format:
+	scripts/sources.sh | xargs clang-format -i
+
+clean:
+	rm -rf build
