@@ -67,7 +67,8 @@ TEST(NumberText, AgreesWithStrtodOnDecimals) {
   for (int i = 0; i < 200000; ++i) {
     std::string text = std::to_string(random() >> (random() % 64));
     if (random() % 2) text.insert(random() % (text.size() + 1), ".");
-    if (random() % 3 == 0) text += "e" + std::to_string(static_cast<int>(random() % 60) - 30);
+    if (random() % 3 == 0)
+      text.append("e").append(std::to_string(static_cast<int>(random() % 60) - 30));
     ASSERT_EQ(parsed(text), std::strtod(text.c_str(), nullptr)) << text;
   }
 }
