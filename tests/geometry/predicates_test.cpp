@@ -226,6 +226,17 @@ TEST(Orient, IsNotFooledByUnderflow) {
   EXPECT_EQ(orient({0, 0}, {1, s}, {2, 3 * s}), 1);
 }
 
+// Both products underflow. The smaller one lands on the tie between 1 and 2 units, because a
+// difference was rounded up, and becomes 2; the larger one is just below that tie and becomes 1.
+TEST(Orient, IsNotFooledByRoundingInUnderflow) {
+  const double s = std::ldexp(1, -537);
+  const Point a = {s, (1 + 0x2p-52) * s}, b = {(1.5 - 0x3p-52) * s, 1.5 * s};
+  const Point c = {std::ldexp(1, -597), 0};
+  ASSERT_GT((a.x - c.x) * (b.y - c.y), (a.y - c.y) * (b.x - c.x));
+  EXPECT_EQ(exact_oracle::orient(a, b, c), -1);
+  EXPECT_EQ(orient(a, b, c), -1);
+}
+
 TEST(InCircle, UnitSquare) {
   const Point a = {0, 0}, b = {1, 0}, c = {1, 1}, d = {0, 1};
   for (const auto& q : {Quad{a, b, c, d}, Quad{b, c, d, a}, Quad{c, d, a, b}, Quad{d, a, b, c}})

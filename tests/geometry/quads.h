@@ -138,6 +138,35 @@ inline Quad nudged_ring(Random& random) {
   return q;
 }
 
+/// Integers nearly on a circle, from small ones to those where doubles begin to round.
+inline Quad integers_near_ring(Random& random) {
+  const double spacing = std::floor(std::exp2(random.uniform(0, 16)));
+  Quad q = ring(random, {0, 0}, spacing, 0);
+  for (Point& p : q) p = {p.x + random.integer(-1, 1), p.y + random.integer(-1, 1)};
+  return q;
+}
+
+/// The same for a line.
+inline Quad integers_near_line(Random& random) {
+  const double size = std::exp2(random.uniform(0, 30));
+  const double dx = std::floor(random.uniform(-size, size));
+  const double dy = std::floor(random.uniform(-size, size));
+  Quad q;
+  for (Point& p : q) {
+    const int t = random.integer(-9, 9);
+    p = {t * dx + random.integer(-1, 1), t * dy + random.integer(-1, 1)};
+  }
+  return q;
+}
+
+/// Nearly cocircular, of a size where terms overflow before they cancel.
+inline Quad overflowing_circle(Random& random) {
+  const double scale = std::ldexp(1, random.integer(250, 262));
+  Quad q = nearly_cocircular(random);
+  for (Point& p : q) p = {p.x * scale, p.y * scale};
+  return q;
+}
+
 inline double any_magnitude(Random& random) {
   return random.sign() * std::ldexp(random.uniform(0.5, 1), random.integer(-996, 996));
 }
@@ -220,6 +249,9 @@ inline constexpr Family kFamilies[] = {
     {"wide_ring", wide_ring},
     {"huge_ring", huge_ring},
     {"nudged_ring", nudged_ring},
+    {"integers_near_ring", integers_near_ring},
+    {"integers_near_line", integers_near_line},
+    {"overflowing_circle", overflowing_circle},
     {"any_magnitudes", any_magnitudes},
     {"scaled_lattice", scaled_lattice},
     {"two_scales", two_scales},
