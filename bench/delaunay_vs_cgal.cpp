@@ -3,66 +3,19 @@
 //   delaunay_vs_cgal [-n 1000000] [--runs 5]
 //
 // Both sides start from coordinates in input order and end with the triangles and neighbours in
-// input numbering. CGAL's best route: spatial_sort of point-index pairs, insertion with the last
-// face as hint, then the arrays read off the finite faces.
+// input numbering (cgal_route.h says how CGAL gets there).
 #include <cmath>
 #include <cstdio>
 #include <random>
 #include <vector>
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
+#include "cgal_route.h"
 #include "duel.h"
+
 #include "hodt/base/parallel.h"
 #include "hodt/delaunay/delaunay.h"
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<unsigned, Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<unsigned, Kernel>;
-using Cgal = CGAL::Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
-
-struct Arrays {
-  std::vector<unsigned> triangles, neighbours;
-};
-
-Arrays cgal(const std::vector<hodt::Point>& points) {
-  using Pair = std::pair<Kernel::Point_2, unsigned>;
-  std::vector<Pair> pairs;
-  pairs.reserve(points.size());
-  for (unsigned i = 0; i < points.size(); ++i)
-    pairs.emplace_back(Kernel::Point_2(points[i].x, points[i].y), i);
-  CGAL::spatial_sort(
-      pairs.begin(), pairs.end(),
-      CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Pair>>());
-  Cgal t;
-  Cgal::Face_handle hint;
-  for (const Pair& p : pairs) {
-    const auto v = t.insert(p.first, hint);
-    v->info() = p.second;
-    hint = v->face();
-  }
-  Arrays arrays;
-  unsigned count = 0;
-  for (auto f = t.all_faces_begin(); f != t.all_faces_end(); ++f)
-    f->info() = t.is_infinite(f) ? ~0u : count++;
-  arrays.triangles.resize(3 * count);
-  arrays.neighbours.resize(3 * count);
-  for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
-    for (unsigned i = 0; i < 3; ++i) {
-      arrays.triangles[3 * f->info() + i] = f->vertex(i)->info();
-      arrays.neighbours[3 * f->info() + i] = f->neighbor(i)->info();
-    }
-  return arrays;
-}
 
 std::vector<hodt::Point> uniform(std::size_t n) {
   std::mt19937_64 random(1);
@@ -87,9 +40,12 @@ void run(const char* name, std::vector<hodt::Point> points, std::size_t runs) {
     hodt::Delaunay d = hodt::delaunay(set);
     return hodt::in_input_numbering(std::move(d.mesh), d.vertices, set.size());
   };
+  // Memory first: a child starts with what its parent holds, freed or not.
+  const double peak = duel::peak_bytes([&] { ours(1); });
+  const double cgal_peak = duel::peak_bytes([&] { cgal_route::triangulate(set.xy); });
   std::vector<double> peer, one, two, ratio_one, ratio_two;
   for (std::size_t i = 0; i <= runs; ++i) {
-    const double p = duel::seconds([&] { cgal(set.xy); });
+    const double p = duel::seconds([&] { cgal_route::triangulate(set.xy); });
     const double a = duel::seconds([&] { ours(1); });
     const double b = duel::seconds([&] { ours(2); });
     if (i == 0) continue;  // the first round warms up
@@ -100,12 +56,11 @@ void run(const char* name, std::vector<hodt::Point> points, std::size_t runs) {
     ratio_two.push_back(b / p);
   }
   const double n = static_cast<double>(set.size());
-  const double peak = duel::peak_bytes([&] { ours(1); });
-  const double cgal_peak = duel::peak_bytes([&] { cgal(set.xy); });
-  std::printf("%-8s %9zu points: CGAL %.3f s, hodt %.3f s on one thread (%.2f x), %.3f s on two (%.2f x); "
-              "peak bytes a point: CGAL %.0f, hodt %.0f\n",
-              name, set.size(), duel::median(peer), duel::median(one), duel::median(ratio_one),
-              duel::median(two), duel::median(ratio_two), cgal_peak / n, peak / n);
+  std::printf(
+      "%-8s %9zu points: CGAL %.3f s, hodt %.3f s on one thread (%.2f x), %.3f s on two "
+      "(%.2f x); peak bytes a point: CGAL %.0f, hodt %.0f\n",
+      name, set.size(), duel::median(peer), duel::median(one), duel::median(ratio_one),
+      duel::median(two), duel::median(ratio_two), cgal_peak / n, peak / n);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class Stopwatch {
 
 void require_heights(const PointSet& points, Objective objective) {
   if (objective == Objective::none || points.has_heights()) return;
-  throw InputError(fmt::format(
+  throw ParameterError(fmt::format(
       "the objective {} needs heights, and the points have none; add a z column or choose none",
       name_of(objective)));
 }
@@ -81,6 +81,10 @@ PointSet kept_points(const PointSet& points, const OutputNumbering& numbering, s
   return kept;
 }
 
+ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
+  return count_extrema(vertices.xy, vertices.z, mesh.origins());
+}
+
 ExtremaSolution optimize(const DelaunayGraph& graph, const VertexSet& vertices,
                          const TriangulateOptions& options) {
   if (options.order == 1 && options.objective == Objective::min_local_extrema)
@@ -110,7 +114,7 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
   report.seconds.delaunay = watch.lap();
 
   tin.points = kept_points(points, numbering, n);
-  if (points.has_heights()) report.extrema_delaunay = count_extrema(tin.points, tin.triangles);
+  if (points.has_heights()) report.extrema_delaunay = extrema_of(delaunay.mesh, delaunay.vertices);
   report.extrema_result = report.extrema_delaunay;
   report.points = points.size();
   report.duplicates = points.size() - n;
@@ -136,7 +140,7 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
   report.seconds.optimize = watch.lap();
 
   tin.triangles = triangle_list(solution.mesh, numbering);
-  report.extrema_result = count_extrema(tin.points, tin.triangles);
+  report.extrema_result = extrema_of(solution.mesh, delaunay.vertices);
   return result;
 }
 

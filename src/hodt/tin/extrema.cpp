@@ -57,14 +57,12 @@ class LevelSets {
 
 class Counter {
  public:
-  Counter(const PointSet& points, std::span<const std::array<Index, 3>> triangles)
-      : points_(points),
-        triangles_(triangles),
-        states_(points.size(), State{0}),
-        levels_(points.size()) {}
+  Counter(std::span<const Point> xy, std::span<const double> z, std::span<const Index> corners)
+      : xy_(xy), z_(z), corners_(corners), states_(xy.size(), State{0}), levels_(xy.size()) {}
 
   ExtremaCount count() {
-    for (const auto& [a, b, c] : triangles_) mark_triangle(a, b, c);
+    for (std::size_t i = 0; i < corners_.size(); i += 3)
+      mark_triangle(corners_[i], corners_[i + 1], corners_[i + 2]);
     ExtremaCount extrema;
     for (const State state : states_) {
       if (!(state & kInTriangle)) continue;
@@ -81,7 +79,7 @@ class Counter {
   }
 
   void mark_triangle(Index a, Index b, Index c) {
-    const double za = points_.z[a], zb = points_.z[b], zc = points_.z[c];
+    const double za = z_[a], zb = z_[b], zc = z_[c];
     const State x = code_of(a), y = code_of(b), z = code_of(c);
     if (za == zb || zb == zc || zc == za) {
       mark(a, (y ^ z) | kInTriangle);
@@ -109,7 +107,7 @@ class Counter {
   }
 
   void mark_edge(Index u, Index v) {
-    const double zu = points_.z[u], zv = points_.z[v];
+    const double zu = z_[u], zv = z_[v];
     if (zu == zv) return mark_level_edge(u, v);
     mark(u, mark_below(zu < zv));
     mark(v, mark_below(zv < zu));
@@ -117,8 +115,8 @@ class Counter {
 
   void mark_level_edge(Index u, Index v) {
     levels_.join(u, v);
-    if (lexicographically_less(points_.xy[v], points_.xy[u])) std::swap(u, v);
-    if (!lexicographically_less(points_.xy[u], points_.xy[v])) return;
+    if (lexicographically_less(xy_[v], xy_[u])) std::swap(u, v);
+    if (!lexicographically_less(xy_[u], xy_[v])) return;
     mark(u, kHasHigher);
     mark(v, kHasLower);
   }
@@ -137,17 +135,18 @@ class Counter {
     }
   }
 
-  const PointSet& points_;
-  std::span<const std::array<Index, 3>> triangles_;
+  std::span<const Point> xy_;
+  std::span<const double> z_;
+  std::span<const Index> corners_;
   Buffer<State> states_;
   LevelSets levels_;
 };
 
 }  // namespace
 
-ExtremaCount count_extrema(const PointSet& points,
-                           std::span<const std::array<Index, 3>> triangles) {
-  return Counter(points, triangles).count();
+ExtremaCount count_extrema(std::span<const Point> xy, std::span<const double> z,
+                           std::span<const Index> corners) {
+  return Counter(xy, z, corners).count();
 }
 
 }  // namespace hodt

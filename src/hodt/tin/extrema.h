@@ -31,8 +31,17 @@ struct ExtremaCount {
   friend bool operator==(const ExtremaCount&, const ExtremaCount&) = default;
 };
 
-/// Counts the extrema of the surface. Vertices of no triangle count as nothing.
-/// Requires points.has_heights() and every corner < points.size().
-ExtremaCount count_extrema(const PointSet& points, std::span<const std::array<Index, 3>> triangles);
+/// Counts the extrema of the surface. `corners` lists three vertices a triangle, each < xy.size();
+/// vertices of no triangle count as nothing. Requires z.size() == xy.size(). Fastest if vertices
+/// that are near in the plane have near numbers.
+ExtremaCount count_extrema(std::span<const Point> xy, std::span<const double> z,
+                           std::span<const Index> corners);
+
+/// The same for a TIN's arrays. Requires points.has_heights().
+inline ExtremaCount count_extrema(const PointSet& points,
+                                  std::span<const std::array<Index, 3>> triangles) {
+  return count_extrema(points.xy, points.z,
+                       {triangles.empty() ? nullptr : triangles[0].data(), 3 * triangles.size()});
+}
 
 }  // namespace hodt
