@@ -98,7 +98,7 @@ TriangulateOptions options_of(const Arguments& arguments) {
 
 int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
-  const TriangulateOptions options = options_of(arguments);
+  TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_output_extension(arguments.output);
   check_targets(arguments.output, arguments.json);
@@ -110,7 +110,7 @@ int run(const Arguments& arguments) {
     progress.report("reading");
     const PointSet points = read_points(arguments.input);
     const double read = watch.lap();
-    progress.report("triangulating");
+    options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
     result = triangulate(points, options);
     result.report.seconds.read = read;
     progress.report("writing");
@@ -144,7 +144,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       .add_option("--objective", arguments->objective,
                   "What to optimise (default: min-local-minima)")
       ->type_name("OBJ");
-  command.add_option("--method", arguments->method, "auto, greedy, flip or exact (default: auto)")
+  command.add_option("--method", arguments->method, "auto or greedy (default: auto)")
       ->type_name("M");
   command.add_option("--time-limit", arguments->time_limit, "Seconds that the search may take")
       ->type_name("S");

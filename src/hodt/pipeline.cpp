@@ -95,7 +95,9 @@ ExtremaSolution optimize(const DelaunayGraph& graph, const VertexSet& vertices,
                          .z = vertices.z,
                          .order = std::min(options.order, unrestricted),
                          .objective = options.objective,
-                         .method = options.method});
+                         .method = options.method,
+                         .deadline = Deadline(options.time_limit),
+                         .progress = options.progress});
 }
 
 }  // namespace
@@ -105,8 +107,12 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
   TriangulateResult result;
   Report& report = result.report;
   Tin& tin = result.tin;
+  const auto tell = [&](std::string_view phase) {
+    if (options.progress) options.progress(phase, -1);
+  };
   Stopwatch watch;
 
+  tell("Delaunay triangulation");
   Delaunay delaunay = hodt::delaunay(points);
   const std::size_t n = delaunay.vertices.size();
   const OutputNumbering numbering(delaunay.vertices, points.size());
@@ -127,6 +133,7 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
   watch.lap();
   const DelaunayGraph graph(delaunay);
   ExtremaSolution solution = optimize(graph, delaunay.vertices, options);
+  tell("verification");
   report.order_histogram = order_histogram(graph, solution.mesh);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hodt/base/ids.h"
+#include "hodt/base/progress.h"
 #include "hodt/geometry/point_set.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/tin/extrema.h"
@@ -22,6 +23,8 @@ struct TriangulateOptions {
   Method method = Method::automatic;
   /// Seconds that searching may take; 0: a fixed amount of work, the same on every machine.
   double time_limit = 0;
+  /// Told what the job is doing; may be empty.
+  Progress progress = {};
 };
 
 /// What the objective counts, before and after.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "hodt/base/parallel.h"
@@ -46,6 +47,9 @@ class Remover {
   ExtremaSolution run();
 
  private:
+  void tell(std::string_view phase, double fraction) const {
+    if (problem_.progress) problem_.progress(phase, fraction);
+  }
   void find_targets();
   void find_edges();
   void search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const;
@@ -78,7 +82,9 @@ class Remover {
 ExtremaSolution Remover::run() {
   find_targets();
   const std::size_t before = targets_.size();
+  tell("useful edges", -1);
   find_edges();
+  tell("independent hulls", -1);
   greedy();
   if (problem_.method != Method::greedy) improve();
   const std::size_t bound = without_edges(before);
@@ -140,7 +146,8 @@ void Remover::find_edges() {
       const bool hopeless =
           target.vertex == (target.kind == Extremum::minimum ? lowest : highest);
       if (hopeless) target.searched = problem_.order;
-      for (Index order = 1; target.edges.empty() && target.searched < problem_.order;
+      for (Index order = 1; target.edges.empty() && target.searched < problem_.order &&
+                            !problem_.deadline.passed();
            order = 2 * order)
         search_up_to(search, target, std::min(order, problem_.order));
     }
@@ -234,7 +241,9 @@ void Remover::improve() {
   for (bool progress = true; progress;) {
     progress = false;
     for (Index i = 0; i < targets_.size(); ++i) {
+      if (problem_.deadline.passed()) return;
       if (!still_there(targets_[i])) continue;
+      tell("search", double(i) / double(targets_.size()));
       if (targets_[i].searched < problem_.order) search_up_to(search_, targets_[i], problem_.order);
       int attempts = kAttempts;
       for (int depth = 0; depth <= kDepth && still_there(targets_[i]); ++depth) {
@@ -256,7 +265,7 @@ bool Remover::resolve(Index index, int depth, int& attempts) {
   const VertexId vertex = targets_[index].vertex;
   std::vector<VertexId> displaced;
   for (std::size_t i = 0; i < targets_[index].edges.size(); ++i) {
-    if (attempts-- <= 0) return false;
+    if (attempts-- <= 0 || problem_.deadline.passed()) return false;
     const VertexId to = targets_[index].edges[i].to;
     const auto before = triangulation_.now();
     bool works = make_room(vertex, to, depth, displaced);

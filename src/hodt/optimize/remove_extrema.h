@@ -3,7 +3,9 @@
 
 #include <span>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
+#include "hodt/base/progress.h"
 #include "hodt/optimize/extrema_solution.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/order/delaunay_graph.h"
@@ -16,6 +18,9 @@ struct ExtremaProblem {
   Index order = 0;
   Objective objective = Objective::min_local_minima;
   Method method = Method::automatic;
+  /// The search ends then with what it has; the bound stays valid.
+  Deadline deadline = {};
+  Progress progress = {};
 };
 
 /// Removes extrema by useful edges from each to a lower (higher) vertex: first those of the smallest
