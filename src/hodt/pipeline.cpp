@@ -137,9 +137,10 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
   report.order_histogram = order_histogram(graph, solution.mesh);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)
-    throw std::logic_error(fmt::format("a triangle of order {} where {} was asked for; this is a "
-                                       "defect of hodt, please report it with the input",
-                                       report.order, options.order));
+    throw std::logic_error(
+        fmt::format("a triangle of order {} where {} was asked for; this is a "
+                    "defect of hodt, please report it with the input",
+                    report.order, options.order));
   report.value = Value{.delaunay = double(solution.delaunay),
                        .result = double(solution.result),
                        .bound = double(solution.bound),

@@ -146,16 +146,18 @@ inline Quad integers_near_ring(Random& random) {
   return q;
 }
 
-/// The same for a line.
-inline Quad integers_near_line(Random& random) {
-  const double size = std::exp2(random.uniform(0, 30));
-  const double dx = std::floor(random.uniform(-size, size));
-  const double dy = std::floor(random.uniform(-size, size));
+/// Integers as nearly on a line as can be: consecutive Fibonacci vectors, whose cross product is 1.
+inline Quad fibonacci(Random& random) {
+  const Point origin = {1.0 * random.integer(-99, 99), 1.0 * random.integer(-99, 99)};
+  const double sign = random.sign();
+  Point step = {0, 1};
+  for (int n = random.integer(0, 44); n > 0; --n) step = {step.y, step.x + step.y};
   Quad q;
   for (Point& p : q) {
-    const int t = random.integer(-9, 9);
-    p = {t * dx + random.integer(-1, 1), t * dy + random.integer(-1, 1)};
+    p = {origin.x + sign * step.x, origin.y + sign * step.y};
+    step = {step.y, step.x + step.y};
   }
+  q[static_cast<std::size_t>(random.integer(0, 3))] = origin;
   return q;
 }
 
@@ -211,8 +213,11 @@ inline Quad near_overflow(Random& random) {
   });
 }
 
+/// Denormals, and with them the smallest normal numbers.
 inline Quad denormals(Random& random) {
-  return from_coordinates(random, [](Random& r) { return r.integer(-4, 4) * DBL_TRUE_MIN; });
+  const double unit = random.integer(0, 1) == 0 ? DBL_TRUE_MIN : DBL_MIN / 2;
+  return from_coordinates(
+      random, [&](Random& r) { return r.integer(-4, 4) * unit + r.integer(-1, 1) * DBL_TRUE_MIN; });
 }
 
 inline double extreme(Random& random) {
@@ -250,7 +255,7 @@ inline constexpr Family kFamilies[] = {
     {"huge_ring", huge_ring},
     {"nudged_ring", nudged_ring},
     {"integers_near_ring", integers_near_ring},
-    {"integers_near_line", integers_near_line},
+    {"fibonacci", fibonacci},
     {"overflowing_circle", overflowing_circle},
     {"any_magnitudes", any_magnitudes},
     {"scaled_lattice", scaled_lattice},

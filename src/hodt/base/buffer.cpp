@@ -25,6 +25,8 @@ void* allocate_pages(std::size_t bytes) {
   return memory;
 }
 
-void free_pages(void* memory) noexcept { std::free(memory); }
+void free_pages(void* memory) noexcept {
+  std::free(memory);
+}
 
 }  // namespace hodt

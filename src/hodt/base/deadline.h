@@ -13,8 +13,8 @@ class Deadline {
   explicit Deadline(double seconds) {
     if (seconds <= 0 || seconds > kLongest) return;
     limited_ = true;
-    at_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                             std::chrono::duration<double>(seconds));
+    at_ = Clock::now() +
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
   bool passed() const { return limited_ && Clock::now() >= at_; }
 

@@ -10,10 +10,10 @@
 
 // Divide and conquer after Guibas and Stolfi, on triangles after Shewchuk: beyond every hull edge
 // lies a ghost triangle with the corner "infinity", so that a triangulation of m vertices, however
-// degenerate, has exactly 2m - 2 triangles. Vertices [lo, hi) use the slots [2 lo, 2 hi - 2). A merge
-// adds the two slots in between, turns the ghosts of the two facing chains into the triangles that
-// join them, and deletes edges by flips with a ghost. So nothing is ever allocated or freed, every
-// range of vertices has its own range of memory, and halves can be solved in parallel.
+// degenerate, has exactly 2m - 2 triangles. Vertices [lo, hi) use the slots [2 lo, 2 hi - 2). A
+// merge adds the two slots in between, turns the ghosts of the two facing chains into the triangles
+// that join them, and deletes edges by flips with a ghost. So nothing is ever allocated or freed,
+// every range of vertices has its own range of memory, and halves can be solved in parallel.
 //
 // Ghost of the hull edge a -> b (counter-clockwise, the triangulation to its left), in slots
 // 3t, 3t + 1, 3t + 2, always in this rotation:
@@ -23,7 +23,8 @@
 //          / \                  3t + 1  a -> infinity  the handle of the ghost, and of vertex a
 //         / t \                 3t + 2  infinity -> b
 //      a *-----* b
-//         hull                  twin(3t + 2) is the handle of the following ghost, which starts at b.
+//         hull                  twin(3t + 2) is the handle of the following ghost, which starts at
+//         b.
 //
 // Collinear points need no special case: their triangulation is a path with ghosts on both sides.
 
@@ -151,9 +152,7 @@ Part Triangulator::solve_three(Index lo) const {
   const int sign = turn(a, b, c);
   const Index slot = 2 * lo;
   if (sign == 0) {
-    const auto less = [&](Index p, Index q) {
-      return lexicographically_less(point(p), point(q));
-    };
+    const auto less = [&](Index p, Index q) { return lexicographically_less(point(p), point(q)); };
     if (less(b, a)) std::swap(a, b);
     if (less(c, b)) std::swap(b, c);
     if (less(b, a)) std::swap(a, b);
@@ -201,8 +200,8 @@ Index Triangulator::extreme(Index ghost, Axis axis, bool beyond) const {
 
 /// Deletes the edges of the left part that start at l and are not Delaunay beside the base l r:
 /// while the apex x behind the hull edge l -> u lies in the circle (l, r, u), a flip with the ghost
-/// takes the edge away, and l -> x is the hull edge. The slot of `ghost` stays the ghost that starts
-/// at l.
+/// takes the edge away, and l -> x is the hull edge. The slot of `ghost` stays the ghost that
+/// starts at l.
 ///
 ///        u                   u
 ///        |\  .               | .   ghost of x -> u

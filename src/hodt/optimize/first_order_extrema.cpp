@@ -152,8 +152,7 @@ void Solver::solve_conflicts() {
       reached.pop_back();
       for (Index i = first[v]; i < first[v + 1]; ++i) {
         const Index arc = incident[i];
-        const VertexId other =
-            arcs_[arc].keeping == v ? arcs_[arc].flipping : arcs_[arc].keeping;
+        const VertexId other = arcs_[arc].keeping == v ? arcs_[arc].flipping : arcs_[arc].keeping;
         if (!used[arc] && !removed_[other]) give(arc, other);
       }
     }

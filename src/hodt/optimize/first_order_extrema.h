@@ -9,7 +9,6 @@
 namespace hodt {
 
 /// Minimises local minima and maxima together over all triangulations of order 1. Exact. O(n).
-ExtremaSolution minimize_first_order_extrema(const DelaunayGraph& graph,
-                                             std::span<const double> z);
+ExtremaSolution minimize_first_order_extrema(const DelaunayGraph& graph, std::span<const double> z);
 
 }  // namespace hodt

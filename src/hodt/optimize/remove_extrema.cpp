@@ -143,11 +143,10 @@ void Remover::find_edges() {
     UsefulEdgeSearch& search = searches.mine();
     for (std::size_t i = first; i < last; ++i) {
       Target& target = targets_[i];
-      const bool hopeless =
-          target.vertex == (target.kind == Extremum::minimum ? lowest : highest);
+      const bool hopeless = target.vertex == (target.kind == Extremum::minimum ? lowest : highest);
       if (hopeless) target.searched = problem_.order;
-      for (Index order = 1; target.edges.empty() && target.searched < problem_.order &&
-                            !problem_.deadline.passed();
+      for (Index order = 1;
+           target.edges.empty() && target.searched < problem_.order && !problem_.deadline.passed();
            order = 2 * order)
         search_up_to(search, target, std::min(order, problem_.order));
     }
@@ -185,8 +184,7 @@ void Remover::greedy() {
   };
   std::vector<Candidate> candidates;
   for (Index i = 0; i < targets_.size(); ++i)
-    for (const UsefulEdge& edge : targets_[i].edges)
-      candidates.push_back({edge.order, i, edge.to});
+    for (const UsefulEdge& edge : targets_[i].edges) candidates.push_back({edge.order, i, edge.to});
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
   for (const Candidate& c : candidates) {
@@ -284,8 +282,7 @@ bool Remover::resolve(Index index, int depth, int& attempts) {
 
 /// Locks the edge with all changed triangles of order k at most, releasing the edges that it
 /// crosses or that, together with it, force a higher order. They must be few and not frozen.
-bool Remover::make_room(VertexId vertex, VertexId to, int depth,
-                        std::vector<VertexId>& displaced) {
+bool Remover::make_room(VertexId vertex, VertexId to, int depth, std::vector<VertexId>& displaced) {
   const auto may_go = [&](VertexId owner) {
     return std::find(frozen_.begin(), frozen_.end(), owner) == frozen_.end();
   };

@@ -23,9 +23,9 @@ struct ExtremaProblem {
   Progress progress = {};
 };
 
-/// Removes extrema by useful edges from each to a lower (higher) vertex: first those of the smallest
-/// order whose hulls are apart (Theorem 8), then, unless the method is greedy, also where hulls meet
-/// and by moving edges chosen before. The mesh has order at most problem.order.
+/// Removes extrema by useful edges from each to a lower (higher) vertex: first those of the
+/// smallest order whose hulls are apart (Theorem 8), then, unless the method is greedy, also where
+/// hulls meet and by moving edges chosen before. The mesh has order at most problem.order.
 /// docs/design/remove-extrema.md explains the search and the bound.
 ExtremaSolution remove_extrema(const ExtremaProblem& problem);
 

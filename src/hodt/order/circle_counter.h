@@ -16,8 +16,7 @@ namespace hodt {
 /// what it finds. Holds scratch memory for one thread.
 class CircleCounter {
  public:
-  explicit CircleCounter(const DelaunayGraph& graph)
-      : graph_(graph), seen_(graph.xy.size(), 0) {}
+  explicit CircleCounter(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size(), 0) {}
 
   /// The number of points inside, or limit + 1 if there are more than `limit`. `start` lists
   /// vertices on the circle or inside it, at least one.

@@ -1,7 +1,7 @@
 // Up to 64 points near a vertex u, and questions to all of them at once, answered as bit masks.
 //
-// The answers are proofs, not decisions: a bit that is set is certainly right, a point that rounding
-// leaves in doubt has no bit. Nothing is ever decided by a missing bit.
+// The answers are proofs, not decisions: a bit that is set is certainly right, a point that
+// rounding leaves in doubt has no bit. Nothing is ever decided by a missing bit.
 #pragma once
 
 #include <cstdint>

@@ -96,8 +96,8 @@ Index UsefulEdgeSearch::useful_order(VertexId v, Index passed_left, Index passed
 }
 
 /// Of the chain, all to the left of ab, the vertex whose circle with a and b holds no other.
-VertexId UsefulEdgeSearch::first_point(const std::vector<VertexId>& chain, Index length,
-                                       VertexId a, VertexId b) const {
+VertexId UsefulEdgeSearch::first_point(const std::vector<VertexId>& chain, Index length, VertexId a,
+                                       VertexId b) const {
   const Point &pa = graph_.point(a), &pb = graph_.point(b);
   VertexId first = chain[0];
   for (Index i = 1; i < length; ++i)

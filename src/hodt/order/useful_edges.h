@@ -45,10 +45,10 @@ class UsefulEdgeSearch {
 
   /// Segments from u across `edge` into directions strictly between two rays.
   struct Node {
-    HalfEdgeId edge;             // crossed, seen from u: its origin on the right, target on the left
+    HalfEdgeId edge;  // crossed, seen from u: its origin on the right, target on the left
     VertexId left_ray, right_ray;
-    Mask inside_left, inside_right;  // proven inside every later circle on that side
-    Sides left_sides, right_sides;   // of the two rays
+    Mask inside_left, inside_right;   // proven inside every later circle on that side
+    Sides left_sides, right_sides;    // of the two rays
     Index passed_left, passed_right;  // the chains' lengths
     // A segment can pass the same vertex more than once, around the end of an edge that it does not
     // cross. The cut counts vertices once.
