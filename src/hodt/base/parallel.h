@@ -1,34 +1,55 @@
-// The only header that knows how work is spread over cores (oneTBB).
+// The only header that knows how work is spread over cores.
 //
 // Every use gives the same bytes on any number of threads: a range is cut into pieces whose results
 // do not depend on where it was cut, or land in a place fixed beforehand.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
+#if defined(__SANITIZE_THREAD__)
+#define HODT_PLAIN_THREADS 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define HODT_PLAIN_THREADS 1
+#endif
+#endif
+
+#ifdef HODT_PLAIN_THREADS
+#include "hodt/base/plain_threads.h"
+#else
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#endif
 
 namespace hodt {
 
 /// Runs f(first, last) on pieces of [begin, end) of about `grain` elements or more, in parallel.
 template <class F>
 void parallel_for(std::size_t begin, std::size_t end, std::size_t grain, const F& f) {
+  if (end <= begin) return;
   if (end - begin <= grain) {
-    if (begin < end) f(begin, end);
+    f(begin, end);
     return;
   }
+#ifdef HODT_PLAIN_THREADS
+  plain_threads::parallel_for(begin, end, f);
+#else
   tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
                     [&](const tbb::blocked_range<std::size_t>& r) { f(r.begin(), r.end()); });
+#endif
 }
 
 /// Runs f() and g(), possibly at the same time.
 template <class F, class G>
 void parallel_invoke(const F& f, const G& g) {
+#ifdef HODT_PLAIN_THREADS
+  plain_threads::parallel_invoke(f, g);
+#else
   tbb::parallel_invoke(f, g);
+#endif
 }
 
 /// One T for every thread that asks, made by `make` on the first call. For scratch memory only:
@@ -41,16 +62,24 @@ class PerThread {
   T& mine() { return values_.local(); }
 
  private:
+#ifdef HODT_PLAIN_THREADS
+  plain_threads::PerThread<T> values_;
+#else
   tbb::enumerable_thread_specific<T> values_;
+#endif
 };
 
 /// While it lives, at most `threads` threads compute (0: as many as the machine has cores).
 class ThreadLimit {
  public:
   explicit ThreadLimit(std::size_t threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
 
  private:
-  tbb::global_control control_;
+  struct Control;
+  std::unique_ptr<Control> control_;
 };
 
 /// How many threads may compute now.
