@@ -29,8 +29,9 @@ State bit(Extremum kind) {
   return State(1u << unsigned(kind));
 }
 
-constexpr int kAttempts = 4000;  // edges tried to remove one more extremum
-constexpr int kDepth = 3;        // how long a chain of displaced edges may grow
+constexpr Index kFirstSearch = 4;  // the order up to which every target's edges are searched
+constexpr int kAttempts = 4000;    // edges tried to remove one more extremum
+constexpr int kDepth = 3;          // how long a chain of displaced edges may grow
 
 class Remover {
  public:
@@ -145,10 +146,10 @@ void Remover::find_edges() {
       Target& target = targets_[i];
       const bool hopeless = target.vertex == (target.kind == Extremum::minimum ? lowest : highest);
       if (hopeless) target.searched = problem_.order;
-      for (Index order = 1;
+      for (std::uint64_t order = kFirstSearch;
            target.edges.empty() && target.searched < problem_.order && !problem_.deadline.passed();
-           order = 2 * order)
-        search_up_to(search, target, std::min(order, problem_.order));
+           order = 4 * order)
+        search_up_to(search, target, Index(std::min<std::uint64_t>(order, problem_.order)));
     }
   });
 }
