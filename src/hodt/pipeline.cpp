@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -100,55 +102,59 @@ ExtremaSolution optimize(const DelaunayGraph& graph, const VertexSet& vertices,
                          .progress = options.progress});
 }
 
+/// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
+TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& options,
+                       Report& report) {
+  const DelaunayGraph graph(delaunay);
+  ExtremaSolution solution = optimize(graph, delaunay.vertices, options);
+  if (options.progress) options.progress("verification", -1);
+  report.order_histogram = order_histogram(graph, solution.mesh);
+  report.order = static_cast<Index>(report.order_histogram.size() - 1);
+  if (report.order > options.order)
+    throw std::logic_error(fmt::format(
+        "a triangle of order {} where {} was asked for; this is a defect of hodt, please report it "
+        "with the input",
+        report.order, options.order));
+  report.value = Value{.delaunay = double(solution.delaunay),
+                       .result = double(solution.result),
+                       .bound = double(solution.bound),
+                       .optimal = solution.result == solution.bound};
+  return std::move(solution.mesh);
+}
+
 }  // namespace
 
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
   require_heights(points, options.objective);
   TriangulateResult result;
   Report& report = result.report;
-  Tin& tin = result.tin;
-  const auto tell = [&](std::string_view phase) {
-    if (options.progress) options.progress(phase, -1);
-  };
   Stopwatch watch;
 
-  tell("Delaunay triangulation");
+  if (options.progress) options.progress("Delaunay triangulation", -1);
   Delaunay delaunay = hodt::delaunay(points);
-  const std::size_t n = delaunay.vertices.size();
-  const OutputNumbering numbering(delaunay.vertices, points.size());
-  tin.triangles = triangle_list(delaunay.mesh, numbering);
+  const VertexSet& vertices = delaunay.vertices;
   report.seconds.delaunay = watch.lap();
-
-  tin.points = kept_points(points, numbering, n);
-  if (points.has_heights()) report.extrema_delaunay = extrema_of(delaunay.mesh, delaunay.vertices);
-  report.extrema_result = report.extrema_delaunay;
   report.points = points.size();
-  report.duplicates = points.size() - n;
-  report.triangles = tin.triangles.size();
+  report.duplicates = points.size() - vertices.size();
+  report.triangles = delaunay.mesh.triangle_count();
   report.k = options.order;
   report.objective = options.objective;
-  report.order_histogram = {tin.triangles.size()};
-  if (options.objective == Objective::none) return result;
+  report.order_histogram = {report.triangles};
+  if (points.has_heights()) report.extrema_delaunay = extrema_of(delaunay.mesh, vertices);
+  report.extrema_result = report.extrema_delaunay;
+
+  if (options.objective != Objective::none) {
+    watch.lap();
+    delaunay.mesh = optimized(delaunay, options, report);
+    report.seconds.optimize = watch.lap();
+    report.extrema_result = extrema_of(delaunay.mesh, vertices);
+  }
 
   watch.lap();
-  const DelaunayGraph graph(delaunay);
-  ExtremaSolution solution = optimize(graph, delaunay.vertices, options);
-  tell("verification");
-  report.order_histogram = order_histogram(graph, solution.mesh);
-  report.order = static_cast<Index>(report.order_histogram.size() - 1);
-  if (report.order > options.order)
-    throw std::logic_error(
-        fmt::format("a triangle of order {} where {} was asked for; this is a "
-                    "defect of hodt, please report it with the input",
-                    report.order, options.order));
-  report.value = Value{.delaunay = double(solution.delaunay),
-                       .result = double(solution.result),
-                       .bound = double(solution.bound),
-                       .optimal = solution.result == solution.bound};
-  report.seconds.optimize = watch.lap();
-
-  tin.triangles = triangle_list(solution.mesh, numbering);
-  report.extrema_result = extrema_of(solution.mesh, delaunay.vertices);
+  const OutputNumbering numbering(vertices, points.size());
+  result.tin.triangles = triangle_list(delaunay.mesh, numbering);
+  report.seconds.delaunay += watch.lap();
+  result.tin.points = kept_points(points, numbering, vertices.size());
   return result;
 }
 
