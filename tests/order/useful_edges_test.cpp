@@ -1,0 +1,213 @@
+#include "hodt/order/useful_edges.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../support/convert.h"
+#include "../support/shapes.h"
+#include <gtest/gtest.h>
+
+#include "hodt/geometry/predicates.h"
+
+namespace hodt {
+namespace {
+
+const auto kAll = [](VertexId) { return true; };
+
+/// From every vertex: other end -> order.
+using Table = std::vector<std::map<Index, Index>>;
+
+/// Runs the search from all vertices, and checks what its header says of the list itself.
+Table search_all(const DelaunayGraph& graph, Index limit) {
+  UsefulEdgeSearch search(graph);
+  Table table(graph.xy.size());
+  for (Index u = 0; u < graph.xy.size(); ++u) {
+    const auto& found = search.from(VertexId(u), limit, kAll);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_GE(found[i].order, 1u);
+      EXPECT_LE(found[i].order, limit);
+      if (i > 0) {
+        const UsefulEdge &a = found[i - 1], &b = found[i];
+        EXPECT_TRUE(a.order < b.order || (a.order == b.order && a.to < b.to)) << "not sorted";
+      }
+      EXPECT_TRUE(table[u].emplace(found[i].to, found[i].order).second) << "found twice";
+    }
+  }
+  return table;
+}
+
+void expect_equal(const Table& found, const Table& expected, Index limit, const std::string& what) {
+  for (Index u = 0; u < found.size(); ++u) {
+    std::map<Index, Index> within;
+    for (const auto& [v, order] : expected[u])
+      if (order <= limit) within.emplace(v, order);
+    ASSERT_EQ(found[u], within) << "from " << u << " limit " << limit << ' ' << what;
+  }
+}
+
+class UsefulFamilies : public testing::TestWithParam<families::Family> {};
+
+TEST_P(UsefulFamilies, equal_lemma_4) {
+  const bool slow = GetParam().name == "wide_range";
+  for (const int n : {5, 9, 15, 24, 40}) {
+    if (slow && n > 15) continue;
+    const Delaunay d = delaunay(support::to_point_set(GetParam().make(n, n + 50)));
+    const DelaunayGraph graph(d);
+    const oracle::Instance instance(support::to_oracle(d.vertices.xy));
+    Table expected(d.vertices.size());
+    for (int u = 0; u < instance.size(); ++u) {
+      for (int v = 0; v < u; ++v) {
+        const std::optional<int> order = instance.useful_order_by_lemma(u, v);
+        if (!order || *order == 0) continue;
+        expected[u][Index(v)] = expected[v][Index(u)] = Index(*order);
+      }
+    }
+    for (Index limit = 1; limit <= 8; ++limit)
+      expect_equal(search_all(graph, limit), expected, limit, support::to_source(d.vertices.xy));
+    const auto unlimited = static_cast<Index>(n);
+    expect_equal(search_all(graph, unlimited), expected, unlimited,
+                 support::to_source(d.vertices.xy));
+  }
+}
+
+TEST_P(UsefulFamilies, equal_the_definition) {
+  for (const int n : {5, 6, 7, 8}) {
+    for (int seed = 60; seed < 63; ++seed) {
+      const Delaunay d = delaunay(support::to_point_set(GetParam().make(n, seed)));
+      const DelaunayGraph graph(d);
+      const oracle::Instance instance(support::to_oracle(d.vertices.xy));
+      const oracle::Catalogue catalogue(instance);
+      Table expected(d.vertices.size());
+      for (int u = 0; u < instance.size(); ++u) {
+        for (int v = 0; v < instance.size(); ++v) {
+          if (u == v) continue;
+          const std::optional<int> order = catalogue.useful_order(u, v);
+          if (order && *order > 0) expected[u][Index(v)] = Index(*order);
+        }
+      }
+      expect_equal(search_all(graph, 100), expected, 100, support::to_source(d.vertices.xy));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UsefulFamilies, testing::ValuesIn(families::all()),
+                         [](const auto& each) { return each.param.name; });
+
+// ---- Larger sets, against Lemma 4 in plain loops ----
+
+/// The first point to the left of ab: no other there is inside its circle. kNone without any;
+/// empty if the segment passes through a point.
+std::optional<Index> first_on_left(std::span<const Point> p, Index a, Index b) {
+  Index first = kNone;
+  for (Index s = 0; s < p.size(); ++s) {
+    if (s == a || s == b) continue;
+    const int side = orient(p[a], p[b], p[s]);
+    if (side == 0) {
+      const bool a_low = lexicographically_less(p[a], p[b]);
+      const Point &low = a_low ? p[a] : p[b], &high = a_low ? p[b] : p[a];
+      if (lexicographically_less(low, p[s]) && lexicographically_less(p[s], high))
+        return std::nullopt;
+    }
+    if (side > 0 && (first == kNone || in_circle(p[a], p[b], p[first], p[s]))) first = s;
+  }
+  return first;
+}
+
+Index count_inside(std::span<const Point> p, Index a, Index b, Index c) {
+  Index count = 0;
+  for (const Point& q : p) count += in_circle(p[a], p[b], p[c], q);
+  return count;
+}
+
+/// Empty if no edge.
+std::optional<Index> lemma_4(std::span<const Point> p, Index u, Index v) {
+  const auto left = first_on_left(p, u, v), right = first_on_left(p, v, u);
+  if (!left || !right) return std::nullopt;
+  if (*left == kNone || *right == kNone) return 0;
+  return std::max(count_inside(p, u, v, *left), count_inside(p, v, u, *right));
+}
+
+TEST(UsefulEdges, equal_lemma_4_on_a_thousand_points) {
+  for (const support::Points& points :
+       {support::uniform(1000, 1), support::lattice(32, 32), support::clustered(1000, 2),
+        support::utm_lattice(32, 32), support::shuffled(support::lattice(100, 10), 3)}) {
+    const Delaunay d = delaunay({points, {}});
+    const DelaunayGraph graph(d);
+    UsefulEdgeSearch search(graph);
+    families::Random random(4);
+    for (int i = 0; i < 12; ++i) {
+      const auto u = static_cast<Index>(random.bits() % points.size());
+      std::map<Index, Index> found, expected;
+      constexpr Index kLimit = 12;
+      for (const UsefulEdge& e : search.from(VertexId(u), kLimit, kAll)) found[e.to] = e.order;
+      for (Index v = 0; v < graph.xy.size(); ++v) {
+        const auto order = u == v ? std::nullopt : lemma_4(graph.xy, u, v);
+        if (order && *order > 0 && *order <= kLimit) expected[v] = *order;
+      }
+      ASSERT_EQ(found, expected) << "from " << graph.point(VertexId(u)).x << ", "
+                                 << graph.point(VertexId(u)).y;
+    }
+  }
+}
+
+TEST(UsefulEdges, only_what_is_wanted) {
+  const Delaunay d = delaunay({support::uniform(2000, 5), {}});
+  const DelaunayGraph graph(d);
+  UsefulEdgeSearch search(graph);
+  for (Index u = 0; u < 2000; u += 37) {
+    std::vector<std::pair<Index, Index>> expected, found;
+    const auto wanted = [&](VertexId v) { return v % 3 == u % 3; };
+    for (const UsefulEdge& e : search.from(VertexId(u), 6, kAll))
+      if (wanted(e.to)) expected.emplace_back(e.to, e.order);
+    for (const UsefulEdge& e : search.from(VertexId(u), 6, wanted))
+      found.emplace_back(e.to, e.order);
+    ASSERT_EQ(found, expected);
+  }
+}
+
+TEST(UsefulEdges, are_the_same_from_both_ends) {
+  for (const support::Points& points : {support::uniform(1500, 6), support::lattice(38, 38)}) {
+    const Delaunay d = delaunay({points, {}});
+    const Table table = search_all(DelaunayGraph(d), 7);
+    for (Index u = 0; u < table.size(); ++u)
+      for (const auto& [v, order] : table[u]) {
+        const auto back = table[v].find(u);
+        ASSERT_TRUE(back != table[v].end()) << u << ' ' << v;
+        ASSERT_EQ(back->second, order);
+      }
+  }
+}
+
+/// The constants of docs and paper: useful edges per point, far from the border, an edge counted
+/// half for each end there.
+TEST(UsefulEdges, density_in_uniform_points) {
+  const std::map<Index, double> known{{1, 3.526}, {2, 4.087}, {3, 4.56}, {4, 4.95},
+                                      {5, 5.30},  {6, 5.61},  {8, 6.17}, {10, 6.64}};
+  const Delaunay d = delaunay({support::uniform(25000, 17), {}});
+  const DelaunayGraph graph(d);
+  UsefulEdgeSearch search(graph);
+  double inner = 0, delaunay_halves = 0;
+  std::vector<double> halves(11, 0);
+  for (Index u = 0; u < graph.xy.size(); ++u) {
+    const Point& p = graph.xy[u];
+    if (std::min({p.x, p.y, 1 - p.x, 1 - p.y}) < 0.05) continue;
+    ++inner;
+    graph.for_each_neighbour(VertexId(u), [&](VertexId) { ++delaunay_halves; });
+    for (const UsefulEdge& e : search.from(VertexId(u), 10, kAll)) ++halves[e.order];
+  }
+  EXPECT_NEAR(delaunay_halves / 2 / inner, 3, 0.005);
+  double sum = delaunay_halves;
+  for (Index k = 1; k <= 10; ++k) {
+    sum += halves[k];
+    if (!known.contains(k)) continue;
+    EXPECT_NEAR(sum / 2 / inner, known.at(k), 0.02 * known.at(k)) << k;
+  }
+  // What is there beyond Delaunay at k = 1 is the constant of Mitsche, Saumell and Silveira.
+  EXPECT_NEAR(halves[1] / 2 / inner, 0.525785, 0.02);
+}
+
+}  // namespace
+}  // namespace hodt
