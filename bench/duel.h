@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,21 +33,25 @@ inline std::size_t option(int argc, char** argv, std::string_view name, std::siz
   return fallback;
 }
 
+/// A line of /proc/self/status in bytes, such as VmRSS (now) or VmHWM (the peak).
+inline double status_bytes(std::string_view name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(name)) return std::stod(line.substr(name.size() + 1)) * 1024;
+  return 0;
+}
+
 /// Peak memory in bytes that f adds to this process, measured in a child of its own.
 template <class F>
 double peak_bytes(const F& f) {
   int channel[2];
   if (pipe(channel) != 0) return 0;
-  const auto peak = [] {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss * 1024.0;
-  };
   const pid_t child = fork();
   if (child == 0) {
-    const double before = peak();
+    std::ofstream("/proc/self/clear_refs") << 5 << std::flush;  // the peak starts anew
+    const double before = status_bytes("VmRSS");
     f();
-    const double added = peak() - before;
+    const double added = status_bytes("VmHWM") - before;
     const bool written = write(channel[1], &added, sizeof added) == sizeof added;
     _exit(written ? 0 : 1);
   }
