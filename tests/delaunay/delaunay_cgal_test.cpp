@@ -1,4 +1,5 @@
 // The Delaunay triangulation against CGAL's, ties included.
+#include <cmath>
 #include <string>
 #include <vector>
 

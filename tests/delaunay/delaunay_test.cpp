@@ -1,6 +1,7 @@
 #include "hodt/delaunay/delaunay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -8,7 +9,6 @@
 
 #include "../support/convert.h"
 #include "../support/shapes.h"
-#include "../support/terrains.h"
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"

@@ -1,0 +1,46 @@
+#include "hodt/optimize/objective.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hodt/base/error.h"
+
+namespace hodt {
+namespace {
+
+TEST(Objective, names_lead_back) {
+  for (const Objective objective : {Objective::none, Objective::min_local_minima,
+                                    Objective::min_local_maxima, Objective::min_local_extrema})
+    EXPECT_EQ(objective_from_name(name_of(objective)), objective);
+  EXPECT_EQ(method_from_name("auto"), Method::automatic);
+  EXPECT_EQ(method_from_name("greedy"), Method::greedy);
+}
+
+TEST(Objective, what_counts) {
+  EXPECT_TRUE(counts_minima(Objective::min_local_minima));
+  EXPECT_FALSE(counts_maxima(Objective::min_local_minima));
+  EXPECT_FALSE(counts_minima(Objective::min_local_maxima));
+  EXPECT_TRUE(counts_maxima(Objective::min_local_maxima));
+  EXPECT_TRUE(counts_minima(Objective::min_local_extrema));
+  EXPECT_TRUE(counts_maxima(Objective::min_local_extrema));
+  EXPECT_FALSE(counts_minima(Objective::none));
+  EXPECT_FALSE(counts_maxima(Objective::none));
+}
+
+TEST(Objective, an_unknown_name_is_an_error_that_names_the_known) {
+  for (const std::string name : {"", "min", "MIN-LOCAL-MINIMA", "min-local-minima "}) {
+    try {
+      objective_from_name(name);
+      ADD_FAILURE() << name;
+    } catch (const ParameterError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("'" + name + "'"), std::string::npos) << message;
+      EXPECT_NE(message.find("min-local-minima"), std::string::npos) << message;
+    }
+  }
+  EXPECT_THROW(method_from_name("best"), ParameterError);
+}
+
+}  // namespace
+}  // namespace hodt
