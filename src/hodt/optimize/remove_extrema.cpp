@@ -204,7 +204,7 @@ bool Remover::orders_hold(ConstrainedTriangulation::Moment since) {
   return std::all_of(changed_.begin(), changed_.end(), [&](TriangleId t) {
     if (triangulation_.is_original(t)) return true;
     const auto [a, b, c] = triangulation_.mesh().corners(t);
-    return counter_.triangle_order(a, b, c, problem_.order) <= problem_.order;
+    return counter_.count(a, b, c, problem_.order) <= problem_.order;
   });
 }
 
@@ -298,7 +298,7 @@ bool Remover::make_room(VertexId vertex, VertexId to, int depth, std::vector<Ver
     VertexId culprit;
     for (const TriangleId t : changed_) {
       const auto [a, b, c] = triangulation_.mesh().corners(t);
-      if (counter_.triangle_order(a, b, c, problem_.order) <= problem_.order) continue;
+      if (counter_.count(a, b, c, problem_.order) <= problem_.order) continue;
       for (const VertexId v : {a, b, c})
         if (v != vertex && !culprit.valid() && triangulation_.owns_locked_edge(v) && may_go(v))
           culprit = v;

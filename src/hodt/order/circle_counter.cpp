@@ -1,5 +1,7 @@
 #include "hodt/order/circle_counter.h"
 
+#include <algorithm>
+
 namespace hodt {
 
 void CircleCounter::begin_round() {
@@ -9,26 +11,25 @@ void CircleCounter::begin_round() {
   round_ = 1;
 }
 
-Index CircleCounter::count(const Circle& circle, std::span<const VertexId> start, Index limit) {
-  begin_round();
-  const auto look_at = [&](VertexId v) {
-    if (inside_.size() <= limit && first_visit(v) && circle.contains(graph_.point(v)))
-      inside_.push_back(v);
-  };
-  for (const VertexId v : start) look_at(v);
-  // A start on the circle is expanded like an inside point, but not counted.
-  for (const VertexId v : start) {
-    if (inside_.size() > limit) break;
-    graph_.for_each_neighbour(v, look_at);
-  }
-  for (std::size_t i = 0; i < inside_.size() && inside_.size() <= limit; ++i)
-    graph_.for_each_neighbour(inside_[i], look_at);
-  return static_cast<Index>(inside_.size());
+void CircleCounter::look_around(const Circle& circle, VertexId v, Index limit) {
+  graph_.for_each_neighbour(v, [&](VertexId w) {
+    if (inside_.size() <= limit && first_visit(w) && circle.contains(graph_.point(w)))
+      inside_.push_back(w);
+  });
 }
 
-Index CircleCounter::triangle_order(VertexId a, VertexId b, VertexId c, Index limit) {
-  const VertexId start[] = {a};
-  return count(Circle(graph_.point(a), graph_.point(b), graph_.point(c)), start, limit);
+Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
+                           std::span<const VertexId> inside) {
+  begin_round();
+  // The three are on the circle: to ask would send each to exact arithmetic, for a known answer.
+  for (const VertexId v : {a, b, c}) first_visit(v);
+  for (const VertexId v : inside)
+    if (first_visit(v)) inside_.push_back(v);
+  const Circle circle(graph_.point(a), graph_.point(b), graph_.point(c));
+  if (inside_.empty()) look_around(circle, a, limit);
+  for (std::size_t i = 0; i < inside_.size() && inside_.size() <= limit; ++i)
+    look_around(circle, inside_[i], limit);
+  return static_cast<Index>(std::min<std::size_t>(inside_.size(), std::size_t{limit} + 1));
 }
 
 }  // namespace hodt

@@ -9,6 +9,9 @@
 
 namespace hodt {
 
+/// A limit that no count exceeds.
+inline constexpr Index kUnlimited = kNone - 1;
+
 /// Counts by searching outward: in the Delaunay graph, the points inside a circle together with
 /// any one point on it are connected. (Lifted to the paraboloid they are the vertices of a convex
 /// surface below a plane, and from each of them a path along edges leads ever further below it, to
@@ -18,12 +21,11 @@ class CircleCounter {
  public:
   explicit CircleCounter(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size(), 0) {}
 
-  /// The number of points inside, or limit + 1 if there are more than `limit`. `start` lists
-  /// vertices on the circle or inside it, at least one.
-  Index count(const Circle& circle, std::span<const VertexId> start, Index limit);
-
-  /// The order of the counter-clockwise triangle abc, or limit + 1.
-  Index triangle_order(VertexId a, VertexId b, VertexId c, Index limit);
+  /// The number of points inside the circle through a, b and c (counter-clockwise), or limit + 1 if
+  /// there are more than `limit`: the order of the triangle abc. `inside` lists vertices that are
+  /// known to be inside, if any are; the search starts there, otherwise at a.
+  Index count(VertexId a, VertexId b, VertexId c, Index limit,
+              std::span<const VertexId> inside = {});
 
   /// The points that the last count found, at most limit + 1 of them.
   std::span<const VertexId> inside() const { return inside_; }
@@ -35,6 +37,7 @@ class CircleCounter {
     return true;
   }
   void begin_round();
+  void look_around(const Circle& circle, VertexId v, Index limit);
 
   const DelaunayGraph& graph_;
   Buffer<std::uint32_t> seen_;  // the round in which a vertex was last looked at

@@ -40,8 +40,7 @@ MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index
       for (std::size_t t = piece * kPiece; t < end; ++t) {
         const auto [a, b, c] = triangles[t];
         const Circle circle(points.xy[a], points.xy[b], points.xy[c]);
-        const VertexId corners[] = {vertex_of[a]};
-        const Index order = counter.count(circle, corners, kNone - 1);
+        const Index order = counter.count(vertex_of[a], vertex_of[b], vertex_of[c], kUnlimited);
         const auto inside = [&](VertexId v) { return circle.side_plain(graph.point(v)) > 0; };
         const auto plain = std::count_if(counter.inside().begin(), counter.inside().end(), inside);
         counts[piece].add(order, static_cast<Index>(plain));

@@ -17,7 +17,7 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
     CircleCounter& counter = counters.mine();
     for (std::size_t i = first; i < last; ++i) {
       const auto [a, b, c] = mesh.corners(changed[i]);
-      orders[i] = counter.triangle_order(a, b, c, kNone - 1);
+      orders[i] = counter.count(a, b, c, kUnlimited);
     }
   });
 

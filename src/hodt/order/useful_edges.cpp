@@ -1,9 +1,20 @@
 #include "hodt/order/useful_edges.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace hodt {
+
+namespace {
+
+/// std::popcount, which without an instruction for it is a call.
+Index count_bits(std::uint64_t v) {
+  v -= (v >> 1) & 0x5555555555555555u;
+  v = (v & 0x3333333333333333u) + ((v >> 2) & 0x3333333333333333u);
+  v = (v + (v >> 4)) & 0x0F0F0F0F0F0F0F0Fu;
+  return static_cast<Index>((v * 0x0101010101010101u) >> 56);
+}
+
+}  // namespace
 
 void UsefulEdgeSearch::begin(VertexId u, Index limit) {
   u_ = u;
@@ -73,10 +84,14 @@ void UsefulEdgeSearch::push_if_hopeful(Node& child, Mask inside) {
 }
 
 bool UsefulEdgeSearch::too_many(Mask mask, Index passed) const {
-  return passed > limit_ || static_cast<Index>(std::popcount(mask)) > limit_;
+  return passed > limit_ || count_bits(mask) > limit_;
 }
 
-bool UsefulEdgeSearch::contains(const std::vector<VertexId>& chain, Index length, VertexId v) {
+/// Whether v is in the chain. Of a vertex with a slot the mask knows that it is not: what was
+/// passed has its bit.
+bool UsefulEdgeSearch::was_passed(VertexId v, Mask inside, const std::vector<VertexId>& chain,
+                                  Index length) const {
+  if (bit(v) && !(bit(v) & inside)) return false;
   return std::find(chain.begin(), chain.begin() + length, v) != chain.begin() + length;
 }
 
@@ -84,14 +99,11 @@ bool UsefulEdgeSearch::contains(const std::vector<VertexId>& chain, Index length
 /// first point is a corner of a crossed triangle, so one of those passed; and by Corollary 1 those
 /// passed on the other side are all inside, which is where the count starts.
 Index UsefulEdgeSearch::useful_order(VertexId v, Index passed_left, Index passed_right) {
-  const Point &pu = graph_.point(u_), &pv = graph_.point(v);
   const VertexId s1 = first_point(left_, passed_left, u_, v);
-  const Index order_left =
-      counter_.count(Circle(pu, pv, graph_.point(s1)), {right_.data(), passed_right}, limit_);
+  const Index order_left = counter_.count(u_, v, s1, limit_, {right_.data(), passed_right});
   if (order_left > limit_) return order_left;
   const VertexId s2 = first_point(right_, passed_right, v, u_);
-  const Index order_right =
-      counter_.count(Circle(pv, pu, graph_.point(s2)), {left_.data(), passed_left}, limit_);
+  const Index order_right = counter_.count(v, u_, s2, limit_, {left_.data(), passed_left});
   return std::max(order_left, order_right);
 }
 

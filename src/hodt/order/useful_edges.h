@@ -28,13 +28,15 @@ class UsefulEdgeSearch {
   /// order, then by vertex. The result lives until the next call.
   template <class Wanted>
   const std::vector<UsefulEdge>& from(VertexId u, Index limit, const Wanted& wanted) {
-    begin(u, limit);
-    for_each_outgoing(graph_.mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
-      enter(TriangleMesh::next(h));
-      while (!stack_.empty()) step(wanted);
-    });
-    finish();
-    return found_;
+    return walk(u, limit, wanted, [](VertexId) { return false; });
+  }
+
+  /// The same for the other ends that are lexicographically larger than u: asked of every vertex,
+  /// each edge is found once. Windows that only lead to smaller ones are not entered.
+  const std::vector<UsefulEdge>& to_larger(VertexId u, Index limit) {
+    const Point& p = graph_.point(u);
+    const auto larger = [&](VertexId v) { return lexicographically_less(p, graph_.point(v)); };
+    return walk(u, limit, larger, [&](VertexId v) { return !larger(v); });
   }
 
  private:
@@ -55,6 +57,18 @@ class UsefulEdgeSearch {
     Index distinct_left, distinct_right;
   };
 
+  template <class Wanted, class Behind>
+  const std::vector<UsefulEdge>& walk(VertexId u, Index limit, const Wanted& wanted,
+                                      const Behind& behind) {
+    begin(u, limit);
+    for_each_outgoing(graph_.mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
+      enter(TriangleMesh::next(h));
+      while (!stack_.empty()) step(wanted, behind);
+    });
+    finish();
+    return found_;
+  }
+
   void begin(VertexId u, Index limit);
   void finish();
   void gather_neighbourhood();
@@ -64,13 +78,13 @@ class UsefulEdgeSearch {
   Sides proven_sides(VertexId v) const;
   void push_if_hopeful(Node& child, Mask inside);
   bool too_many(Mask mask, Index passed) const;
-  static bool contains(const std::vector<VertexId>& chain, Index length, VertexId v);
+  bool was_passed(VertexId v, Mask inside, const std::vector<VertexId>& chain, Index length) const;
   Index useful_order(VertexId v, Index passed_left, Index passed_right);
   VertexId first_point(const std::vector<VertexId>& chain, Index length, VertexId a,
                        VertexId b) const;
 
-  template <class Wanted>
-  void step(const Wanted& wanted);
+  template <class Wanted, class Behind>
+  void step(const Wanted& wanted, const Behind& behind);
 
   const DelaunayGraph& graph_;
   CircleCounter counter_;
@@ -87,10 +101,13 @@ class UsefulEdgeSearch {
   Slots slots_;
 };
 
-template <class Wanted>
-void UsefulEdgeSearch::step(const Wanted& wanted) {
+/// `behind` says of a vertex that it lies in a half-plane without wanted ends. If both rays'
+/// vertices do, so does the whole window.
+template <class Wanted, class Behind>
+void UsefulEdgeSearch::step(const Wanted& wanted, const Behind& behind) {
   const Node node = stack_.back();
   stack_.pop_back();
+  if (behind(node.left_ray) && behind(node.right_ray)) return;
   const HalfEdgeId across = graph_.mesh.twin(node.edge);
   if (!across.valid()) return;
   const VertexId right = graph_.mesh.origin(node.edge), left = graph_.mesh.origin(across);
@@ -125,7 +142,7 @@ void UsefulEdgeSearch::step(const Wanted& wanted) {
       child.left_sides = sides_of_w;
     }
     child.inside_left |= bit(w);
-    child.distinct_left += !contains(left_, node.passed_left, w);
+    child.distinct_left += !was_passed(w, node.inside_left, left_, node.passed_left);
     ++child.passed_left;
     push_if_hopeful(child, in_rw);
   }
@@ -137,7 +154,7 @@ void UsefulEdgeSearch::step(const Wanted& wanted) {
       child.right_sides = sides_of_w;
     }
     child.inside_right |= bit(w);
-    child.distinct_right += !contains(right_, node.passed_right, w);
+    child.distinct_right += !was_passed(w, node.inside_right, right_, node.passed_right);
     ++child.passed_right;
     push_if_hopeful(child, in_wl);
   }

@@ -105,7 +105,7 @@ std::string order_problem(const DelaunayGraph& graph, const TriangleMesh& mesh, 
     if (!is_counter_clockwise(graph.xy, mesh, t))
       return fmt::format("triangle {} is not counter-clockwise", t);
     const auto [a, b, c] = mesh.corners(TriangleId(t));
-    if (counters.mine().triangle_order(a, b, c, limit) <= limit) return "";
+    if (counters.mine().count(a, b, c, limit) <= limit) return "";
     return fmt::format("triangle {} ({}, {}, {}) has more than {} points in its circle", t,
                        Index(a), Index(b), Index(c), k);
   };
