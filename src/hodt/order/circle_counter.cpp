@@ -1,7 +1,5 @@
 #include "hodt/order/circle_counter.h"
 
-#include <algorithm>
-
 namespace hodt {
 
 void CircleCounter::begin_round() {
@@ -24,12 +22,12 @@ Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
   // The three are on the circle: to ask would send each to exact arithmetic, for a known answer.
   for (const VertexId v : {a, b, c}) first_visit(v);
   for (const VertexId v : inside)
-    if (first_visit(v)) inside_.push_back(v);
+    if (inside_.size() <= limit && first_visit(v)) inside_.push_back(v);
   const Circle circle(graph_.point(a), graph_.point(b), graph_.point(c));
   if (inside_.empty()) look_around(circle, a, limit);
   for (std::size_t i = 0; i < inside_.size() && inside_.size() <= limit; ++i)
     look_around(circle, inside_[i], limit);
-  return static_cast<Index>(std::min<std::size_t>(inside_.size(), std::size_t{limit} + 1));
+  return static_cast<Index>(inside_.size());
 }
 
 }  // namespace hodt
