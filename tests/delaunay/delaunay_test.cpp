@@ -13,6 +13,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/geometry/predicates.h"
 #include "hodt/mesh/validate.h"
 #include "hodt/order/validate.h"
 
@@ -83,6 +84,26 @@ TEST(DelaunayOracle, all_small_subsets_of_a_lattice) {
   }
   EXPECT_EQ(on_a_line, 8);
   EXPECT_EQ(triangulated, 512 - 1 - 9 - 36 - 8);
+}
+
+/// Every subset of a 4 × 4 lattice: too many for the oracle, so by what proves itself.
+TEST(DelaunayExhaustive, all_subsets_of_a_lattice) {
+  int triangulated = 0;
+  for (unsigned set = 0; set < 1u << 16; ++set) {
+    PointSet points;
+    for (unsigned i = 0; i < 16; ++i)
+      if (set >> i & 1) points.xy.push_back({double(i % 4), double(i / 4)});
+    const auto is_off_the_line = [&](std::size_t i) {
+      return orient(points.xy[0], points.xy[1], points.xy[i]) != 0;
+    };
+    bool on_a_line = true;
+    for (std::size_t i = 2; i < points.size(); ++i) on_a_line = on_a_line && !is_off_the_line(i);
+    if (on_a_line) continue;
+    ASSERT_EQ(problem(delaunay(points)), "") << support::to_source(points.xy);
+    ++triangulated;
+  }
+  // All but the empty one, 16 single points, 120 pairs, and 44 + 10 lines of three and four.
+  EXPECT_EQ(triangulated, 65536 - 1 - 16 - 120 - 54);
 }
 
 /// The same shapes far out, tiny, and mirrored: cuts and ties in every direction.
