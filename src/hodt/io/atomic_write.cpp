@@ -22,10 +22,13 @@ std::string output_name(const std::filesystem::path& path) {
   return path == kStandardOutput ? "standard output" : path.string();
 }
 
-/// Devices and the process's own descriptors are what they are: nothing to rename.
+/// Devices and the process's own descriptors are what they are: nothing to rename. (A descriptor
+/// can lead to a regular file, so its name decides; files in /dev/shm are files like any other.)
 bool written_directly(const std::filesystem::path& path) {
   const std::string& name = path.native();
-  if (name.starts_with("/dev/") || name.starts_with("/proc/")) return true;
+  for (const std::string_view descriptors : {"/dev/fd/", "/dev/stdout", "/dev/stderr", "/proc/"}) {
+    if (name.starts_with(descriptors)) return true;
+  }
   struct stat status;
   return ::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
