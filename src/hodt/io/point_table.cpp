@@ -42,10 +42,14 @@ const char* skip_blanks(const char* p) {
   return p;
 }
 
+const char* skip_returns(const char* p) {
+  while (*p == '\r') ++p;
+  return p;
+}
+
 /// Whether the line at p holds no data: blank, or a comment.
 bool is_skipped(const char* p) {
-  p = skip_blanks(p);
-  while (*p == '\r') ++p;
+  p = skip_returns(skip_blanks(p));
   return *p == '\n' || *p == '#';
 }
 
@@ -103,9 +107,9 @@ class RowParser {
   const char* leave_field(const char* p, bool& more) const {
     const char* const field_end = p;
     p = skip_indent(p);
-    if (*p == '\n' || *p == '\r') {
+    if (const char* const feed = skip_returns(p); *feed == '\n') {
       more = false;
-      return p;
+      return feed;
     }
     more = true;
     if (blank_separated()) return p != field_end ? p : nullptr;
@@ -285,6 +289,11 @@ std::string place(const InputText& input, const char* line) {
       fmt::format("{}: {}", place(input, row), parser.explain(line_at(row, input.end()))));
 }
 
+[[noreturn]] void throw_bare_returns(const InputText& input) {
+  throw InputError(fmt::format(
+      "{}: lines end in carriage returns without line feeds; save it with line feeds", input.name));
+}
+
 [[noreturn]] void throw_no_row(const InputText& input) {
   throw InputError(fmt::format("{} holds no data row; a row is x, y and, if known, z", input.name));
 }
@@ -297,7 +306,9 @@ PointSet parse_point_table(const InputText& input) {
   const char* begin = input.begin();
   while (begin < end && is_skipped(begin)) begin = next_line(begin, end);
   if (begin >= end) throw_no_row(input);
-  const TableLayout layout = layout_of(line_at(begin, end), place(input, begin));
+  const std::string_view first_row = line_at(begin, end);
+  if (first_row.find('\r') != std::string_view::npos) throw_bare_returns(input);
+  const TableLayout layout = layout_of(first_row, place(input, begin));
   if (layout.has_header) begin = next_line(begin, end);
 
   std::vector<Chunk> chunks = cut(begin, end);
