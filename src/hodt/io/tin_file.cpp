@@ -40,8 +40,8 @@ std::string known_extensions() {
   return known;
 }
 
-[[noreturn]] void throw_unknown(std::string_view verb, const std::filesystem::path& path) {
-  const std::string extension = format_extension(path);
+[[noreturn]] void throw_unknown(std::string_view verb, const std::filesystem::path& path,
+                                const std::string& extension) {
   throw ParameterError(fmt::format(
       "cannot {} a mesh {}: {}; known are {}", verb, path.string(),
       extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'",
@@ -49,8 +49,9 @@ std::string known_extensions() {
 }
 
 const Format& format_to_write(const std::filesystem::path& path) {
-  const Format* format = find_format(lower_extension(path));
-  if (!format) throw_unknown("write", path);
+  const std::string extension = lower_extension(path);  // meshes are not packed
+  const Format* format = find_format(extension);
+  if (!format) throw_unknown("write", path, extension);
   return *format;
 }
 
@@ -59,7 +60,7 @@ const Format& format_to_write(const std::filesystem::path& path) {
 Tin read_tin(const std::filesystem::path& path) {
   const std::string extension = format_extension(path);
   const Format* format = find_format(extension);
-  if (!format && !extension.empty()) throw_unknown("read", path);
+  if (!format && !extension.empty()) throw_unknown("read", path, extension);
   const InputText input = read_input(path);
   if (!format) format = find_format(is_ply(input) ? ".ply" : ".obj");
   return format->parse(input);
