@@ -38,7 +38,8 @@ int complain(std::string message) {
   for (char& c : message) {
     if (c == '\n') c = ' ';
   }
-  fmt::print(stderr, "hodt: {}\n", message);
+  // Not fmt::print: that throws where standard error cannot be written.
+  std::fputs(fmt::format("hodt: {}\n", message).c_str(), stderr);
   return kError;
 }
 
