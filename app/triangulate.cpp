@@ -4,7 +4,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/io/atomic_write.h"
+#include "hodt/io/input_text.h"
 #include "hodt/io/point_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/pipeline.h"
@@ -96,6 +96,18 @@ TriangulateOptions options_of(const Arguments& arguments) {
   return options;
 }
 
+/// Of points that cannot be triangulated the library knows all but where they come from.
+TriangulateResult triangulated(const PointSet& points, const TriangulateOptions& options,
+                               const std::string& input) {
+  try {
+    return triangulate(points, options);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", display_name(input), error.what()));
+  } catch (const ParameterError& error) {
+    throw ParameterError(fmt::format("{}: {}", display_name(input), error.what()));
+  }
+}
+
 int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
   TriangulateOptions options = options_of(arguments);
@@ -111,7 +123,7 @@ int run(const Arguments& arguments) {
     const PointSet points = read_points(arguments.input);
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    result = triangulate(points, options);
+    result = triangulated(points, options, arguments.input);
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
@@ -146,7 +158,9 @@ void add_triangulate(CLI::App& app, Action& action) {
       ->type_name("OBJ");
   command.add_option("--method", arguments->method, "auto or greedy (default: auto)")
       ->type_name("M");
-  command.add_option("--time-limit", arguments->time_limit, "Seconds that the search may take")
+  command
+      .add_option("--time-limit", arguments->time_limit,
+                  "Seconds that the search may take (default: no limit)")
       ->type_name("S");
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
