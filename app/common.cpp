@@ -74,7 +74,14 @@ void write_json(const Json& json, const std::filesystem::path& path) {
 void check_targets(const std::filesystem::path& output, const std::filesystem::path& json) {
   if (!output.empty()) check_writable(output);
   if (!json.empty()) check_writable(json);
-  if (!output.empty() && output.lexically_normal() == json.lexically_normal()) {
+  if (output.empty() || json.empty()) return;
+  // One file can have many names: ./tin.ply, its absolute path, a link to it.
+  std::error_code ignored;
+  const auto resolved = [&](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  const std::filesystem::path target = resolved(output);
+  if (!target.empty() && target == resolved(json)) {
     throw ParameterError(fmt::format("{} is named for the output and for the JSON", json.string()));
   }
 }
@@ -110,7 +117,8 @@ TerminalProgress::TerminalProgress() {
   if (!isatty(STDERR_FILENO)) return;
   relay_ = std::make_unique<ProgressRelay>([this](std::string_view phase, double fraction) {
     const std::string share = fraction < 0 ? "" : fmt::format(" {:.0f} %", 100 * fraction);
-    fmt::print(stderr, "\r\033[Khodt: {}{} ...", phase, share);
+    // Not fmt::print: that throws when the terminal has gone, and here nobody would catch it.
+    std::fputs(fmt::format("\r\033[Khodt: {}{} ...", phase, share).c_str(), stderr);
     std::fflush(stderr);
     shown_ = true;
   });
