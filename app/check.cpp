@@ -136,7 +136,7 @@ int run(const Arguments& arguments) {
   std::optional<Index> k;
   if (!arguments.order.empty()) k = parse_order(arguments.order);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_targets({}, arguments.json);
+  check_targets(arguments.tin, {}, arguments.json);
   Findings findings;
   {
     TerminalProgress progress;

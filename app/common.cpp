@@ -71,19 +71,24 @@ void write_json(const Json& json, const std::filesystem::path& path) {
   path == "-" ? print(text) : atomic_write(path, text);
 }
 
-void check_targets(const std::filesystem::path& output, const std::filesystem::path& json) {
+void check_targets(const std::filesystem::path& input, const std::filesystem::path& output,
+                   const std::filesystem::path& json) {
   if (!output.empty()) check_writable(output);
   if (!json.empty()) check_writable(json);
-  if (output.empty() || json.empty()) return;
   // One file can have many names: ./tin.ply, its absolute path, a link to it.
   std::error_code ignored;
   const auto resolved = [&](const std::filesystem::path& path) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
   };
-  const std::filesystem::path target = resolved(output);
-  if (!target.empty() && target == resolved(json)) {
+  const auto same = [&](const std::filesystem::path& a, const std::filesystem::path& b) {
+    return !a.empty() && !b.empty() && a != "-" && resolved(a) == resolved(b);
+  };
+  if (same(output, json))
     throw ParameterError(fmt::format("{} is named for the output and for the JSON", json.string()));
-  }
+  for (const std::filesystem::path& target : {output, json})
+    if (same(input, target))
+      throw ParameterError(
+          fmt::format("{} is the input; name another file to write to", target.string()));
 }
 
 Json to_json(const SplitCount& count) {

@@ -60,8 +60,10 @@ void print(std::string_view text);
 /// Writes JSON to a file, or to standard output for "-".
 void write_json(const Json& json, const std::filesystem::path& path);
 
-/// Throws if the two name the same file, or one cannot be written. An empty path is no file.
-void check_targets(const std::filesystem::path& output, const std::filesystem::path& json);
+/// Throws if two of them name the same file, or a target cannot be written. An empty path is no
+/// file.
+void check_targets(const std::filesystem::path& input, const std::filesystem::path& output,
+                   const std::filesystem::path& json);
 
 Json to_json(const SplitCount& count);
 

@@ -104,7 +104,7 @@ std::string summary(const Findings& findings) {
 
 int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_targets({}, arguments.json);
+  check_targets(arguments.input, {}, arguments.json);
   Findings findings;
   {
     TerminalProgress progress;

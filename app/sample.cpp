@@ -42,7 +42,7 @@ int run(const Arguments& arguments) {
     return kOk;
   }
   check_points_extension(arguments.output);
-  check_targets(arguments.output, {});
+  check_targets({}, arguments.output, {});
   TerminalProgress progress;
   progress.report("sampling");
   const PointSet points = sample_terrain(arguments.name, count, seed);

@@ -113,7 +113,7 @@ int run(const Arguments& arguments) {
   TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_output_extension(arguments.output);
-  check_targets(arguments.output, arguments.json);
+  check_targets(arguments.input, arguments.output, arguments.json);
 
   Stopwatch watch;
   TriangulateResult result;

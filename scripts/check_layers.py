@@ -99,7 +99,7 @@ def tracked_files():
     if listed.returncode == 0:
         names = listed.stdout.decode().split("\0")
     else:  # an unpacked archive
-        folders = [ROOT / name for name in ("src", "app", "tests", "bench", "examples", "scripts")]
+        folders = [ROOT / name for name in ("src", "app", "tests", "bench", "scripts")]
         names = [str(p.relative_to(ROOT)) for folder in folders for p in folder.rglob("*")]
     return sorted(name for name in names if name and (ROOT / name).is_file())
 

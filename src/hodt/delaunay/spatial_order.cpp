@@ -189,13 +189,13 @@ Buffer<Item> sorted_items(const PointSet& points, const Cells& cells) {
         sorted[to[items[i].key >> shift]++] = items[i];
     }
   });
-  parallel_for(0, buckets, std::max<std::size_t>(1, buckets / 64),
-               [&](std::size_t first, std::size_t last) {
-                 for (std::size_t b = first; b < last; ++b) {
-                   const std::size_t at = bucket_start[b];
-                   sort_items(&sorted[0] + at, &items[0] + at, bucket_start[b + 1] - at, shift);
-                 }
-               });
+  parallel_for(
+      0, buckets, std::max<std::size_t>(1, buckets / 64), [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b) {
+          const std::size_t at = bucket_start[b];
+          sort_items(sorted.data() + at, items.data() + at, bucket_start[b + 1] - at, shift);
+        }
+      });
   return sorted;
 }
 
@@ -216,7 +216,7 @@ std::size_t order_within_cells(const PointSet& points, Buffer<Item>& items) {
     if (last - first == 1) {
       items[kept++] = items[first];
     } else {
-      std::sort(&items[first], &items[0] + last, before);
+      std::sort(items.data() + first, items.data() + last, before);
       for (std::size_t i = first; i < last; ++i) {
         const bool duplicate =
             i > first && points.xy[items[i].row] == points.xy[items[kept - 1].row];
@@ -231,10 +231,10 @@ std::size_t order_within_cells(const PointSet& points, Buffer<Item>& items) {
 }  // namespace
 
 SpatialOrder spatial_order(const PointSet& points) {
-  if (points.size() >= std::size_t{1} << 31)
+  if (points.size() > kMaxPoints)
     throw InputError(fmt::format(
-        "{} points are more than the 2147483647 that one triangulation can hold; split the input",
-        points.size()));
+        "{} points are more than the {} that one triangulation can hold; split the input",
+        points.size(), kMaxPoints));
   const Cells cells(bounding_box(points));
   Buffer<Item> items = sorted_items(points, cells);
   const std::size_t n = order_within_cells(points, items);

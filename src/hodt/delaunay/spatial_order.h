@@ -11,6 +11,9 @@
 
 namespace hodt {
 
+/// As many points as the ids of their half-edges, 6n, leave room for.
+inline constexpr std::size_t kMaxPoints = kNone / 6;
+
 /// The vertices of a triangulation: the distinct points of a PointSet along a Z-order curve. Every
 /// stage after the reader computes with these numbers; `row` leads back to the input.
 struct VertexSet {
@@ -31,8 +34,8 @@ struct SpatialOrder {
 
 /// Sorts the points. Of those with equal (x, y) the one with the lowest z stays (the first of these
 /// if z ties too). The same order whatever the order of the input and the number of threads.
-/// Throws InputError if a coordinate is NaN or infinite, naming its row, and if there are 2^31
-/// points or more.
+/// Throws InputError if a coordinate is NaN or infinite, naming its row, and if there are
+/// more than kMaxPoints.
 SpatialOrder spatial_order(const PointSet& points);
 
 /// The vertex that stands for each input row: for a dropped duplicate, the vertex at its place.

@@ -21,6 +21,7 @@ struct Target {
   Extremum kind = Extremum::minimum;
   std::vector<UsefulEdge> edges;  // by order
   Index searched = 0;             // all edges up to this order are known
+  bool given_up = false;          // the search for more was too long
 };
 
 /// One bit a kind of extremum that a vertex is.
@@ -29,9 +30,10 @@ State bit(Extremum kind) {
   return State(1u << unsigned(kind));
 }
 
-constexpr Index kFirstSearch = 4;  // the order up to which every target's edges are searched
-constexpr int kAttempts = 4000;    // edges tried to remove one more extremum
-constexpr int kDepth = 3;          // how long a chain of displaced edges may grow
+constexpr Index kFirstSearch = 4;         // the order up to which every target's edges are searched
+constexpr std::size_t kEffort = 1 << 16;  // steps of a search; orders below 50 take far fewer
+constexpr int kAttempts = 4000;           // edges tried to remove one more extremum
+constexpr int kDepth = 3;                 // how long a chain of displaced edges may grow
 
 class Remover {
  public:
@@ -53,6 +55,9 @@ class Remover {
   }
   void find_targets();
   void find_edges();
+  bool needs_search(const Target& target) const {
+    return target.searched < problem_.order && !target.given_up;
+  }
   void search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const;
   std::size_t without_edges(std::size_t delaunay_targets) const;
   void greedy();
@@ -131,40 +136,53 @@ void Remover::find_targets() {
       }
 }
 
-/// Finds for every target the edges of the smallest orders: most need no more than these, and
-/// small orders are cheap to search. The lowest vertex of all has none, and is not searched.
+/// Finds for every target the edges of the smallest orders: most need no more than these, and small
+/// orders are cheap to search. Larger orders only for those that found none, level by level, so
+/// that a deadline finds the cheap ones done. The lowest vertex of all has none, and is not
+/// searched.
 void Remover::find_edges() {
   VertexId lowest(0), highest(0);
   for (Index i = 1; i < state_.size(); ++i) {
     if (heights_.lower(VertexId(i), lowest)) lowest = VertexId(i);
     if (heights_.lower(highest, VertexId(i))) highest = VertexId(i);
   }
+  const auto hopeless = [&](const Target& t) {
+    return t.vertex == (t.kind == Extremum::minimum ? lowest : highest);
+  };
+  for (Target& target : targets_)
+    if (hopeless(target)) target.searched = problem_.order;
+
   PerThread<UsefulEdgeSearch> searches([&] { return UsefulEdgeSearch(graph_); });
-  parallel_for(0, targets_.size(), 64, [&](std::size_t first, std::size_t last) {
-    UsefulEdgeSearch& search = searches.mine();
-    for (std::size_t i = first; i < last; ++i) {
-      Target& target = targets_[i];
-      const bool hopeless = target.vertex == (target.kind == Extremum::minimum ? lowest : highest);
-      if (hopeless) target.searched = problem_.order;
-      for (std::uint64_t order = kFirstSearch;
-           target.edges.empty() && target.searched < problem_.order && !problem_.deadline.passed();
-           order = 4 * order)
-        search_up_to(search, target, Index(std::min<std::uint64_t>(order, problem_.order)));
-    }
-  });
+  for (std::uint64_t order = kFirstSearch;; order = 4 * order) {
+    const Index level = Index(std::min<std::uint64_t>(order, problem_.order));
+    parallel_for(0, targets_.size(), 64, [&](std::size_t first, std::size_t last) {
+      UsefulEdgeSearch& search = searches.mine();
+      for (std::size_t i = first; i < last; ++i)
+        if (targets_[i].edges.empty() && needs_search(targets_[i]) && !problem_.deadline.passed())
+          search_up_to(search, targets_[i], level);
+    });
+    if (level == problem_.order) break;
+  }
 }
 
 void Remover::search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const {
   const auto wanted = [&](VertexId v) { return heights_.removes(v, target.vertex, target.kind); };
+  search.limit_effort(kEffort);
+  const auto& found = search.from(target.vertex, order, wanted);
+  if (!search.complete()) {  // what was known before may be missing: add only what is new
+    target.given_up = true;
+    for (const UsefulEdge& edge : found)
+      if (edge.order > target.searched) target.edges.push_back(edge);
+    return;
+  }
+  target.searched = order;
   target.edges.clear();
   // Delaunay edges are of no help to an extremum of the Delaunay triangulation, only to one that
   // another edge brought about.
   graph_.for_each_neighbour(target.vertex, [&](VertexId v) {
     if (wanted(v)) target.edges.push_back({v, 0});
   });
-  const auto& found = search.from(target.vertex, order, wanted);
   target.edges.insert(target.edges.end(), found.begin(), found.end());
-  target.searched = order;
 }
 
 /// The lower bound: an extremum of the Delaunay triangulation that no useful edge removes stays,
@@ -243,7 +261,7 @@ void Remover::improve() {
       if (problem_.deadline.passed()) return;
       if (!still_there(targets_[i])) continue;
       tell("search", double(i) / double(targets_.size()));
-      if (targets_[i].searched < problem_.order) search_up_to(search_, targets_[i], problem_.order);
+      if (needs_search(targets_[i])) search_up_to(search_, targets_[i], problem_.order);
       int attempts = kAttempts;
       for (int depth = 0; depth <= kDepth && still_there(targets_[i]); ++depth) {
         const auto before = triangulation_.now();
@@ -259,8 +277,7 @@ void Remover::improve() {
 /// Locks some edge that removes the target, after releasing those in its way, and finds new edges
 /// for their owners in turn, `depth` times at most. If that fails nothing has changed.
 bool Remover::resolve(Index index, int depth, int& attempts) {
-  if (targets_[index].searched < problem_.order)
-    search_up_to(search_, targets_[index], problem_.order);
+  if (needs_search(targets_[index])) search_up_to(search_, targets_[index], problem_.order);
   const VertexId vertex = targets_[index].vertex;
   std::vector<VertexId> displaced;
   for (std::size_t i = 0; i < targets_[index].edges.size(); ++i) {
