@@ -37,6 +37,7 @@ void add_triangulate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_sample(CLI::App& app, Action& action);
+void add_voronoi(CLI::App& app, Action& action);
 
 /// A whole number of at least `least` from an option's text; anything larger than `most` is
 /// `most`. Throws ParameterError, naming the option.

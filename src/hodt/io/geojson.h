@@ -1,0 +1,27 @@
+// GeoJSON (RFC 7946), as far as it takes to write polygons.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "hodt/base/ids.h"
+#include "hodt/geometry/point.h"
+#include "hodt/io/atomic_write.h"
+
+namespace hodt {
+
+/// A polygon and the input rows that it belongs to.
+struct PolygonFeature {
+  std::vector<Point> ring;  ///< counter-clockwise, the first corner not repeated
+  std::vector<Index> points;
+};
+
+/// Writes a FeatureCollection with a Polygon for each of the features 0 to count - 1, in this
+/// order, with the property "points". make(i, feature) fills in feature i, which holds an earlier
+/// one; it is called by several threads at once. A feature with an empty ring is left out. Returns
+/// the number written.
+std::size_t write_geojson(OutputFile& file, std::size_t count,
+                          const std::function<void(std::size_t, PolygonFeature&)>& make);
+
+}  // namespace hodt
