@@ -70,7 +70,7 @@ int run(const Arguments& arguments) {
   std::optional<Box> box;
   if (!arguments.box.empty()) box = parse_box(arguments.box);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_writable(arguments.output);
+  check_targets(arguments.input, arguments.output, {});
 
   std::string summary;
   {

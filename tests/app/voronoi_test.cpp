@@ -141,6 +141,7 @@ TEST_F(VoronoiCommand, RefusesWhatItCannotDo) {
   expect_refused("line.csv -o kept -m 1", "on one line");
   expect_refused("none.csv -o kept -m 1", "none.csv");
   expect_refused("points.csv -o none/kept -m 1", "none");
+  expect_refused("points.csv -o ./points.csv -m 1", "is the input");
   expect_refused("points.csv -o kept -m 1 --threads 0", "--threads");
   for (const char* box : {"1,2,3", "1,2,3,4,5", "a,b,c,d", "0,0,0,1", "0,1,1,0", "0,0,nan,1",
                           "0,0,inf,1", "0,0,1,1,"})
