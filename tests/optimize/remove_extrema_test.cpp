@@ -244,6 +244,54 @@ TEST(RemoveExtremaLarge, made_terrains) {
   }
 }
 
+/// Points on curves see each other across everything: useful edges that are fine one by one force a
+/// higher order together, and moving edges helps.
+TEST(RemoveExtremaCrowded, rings_and_convex_sets) {
+  int runs = 0, improved = 0;
+  for (const auto& family : families::all()) {
+    if (!family.name.starts_with("ring_") && !family.name.starts_with("convex_")) continue;
+    for (int seed = 0; seed < 100; ++seed) {
+      const families::Points points = family.make(20 + seed % 5 * 20, seed);
+      const Terrain terrain(
+          support::to_point_set(points, seed % 2 ? families::permutation_heights(points, seed)
+                                                 : families::random_heights(points, seed)));
+      for (const Objective objective :
+           {Objective::min_local_minima, Objective::min_local_extrema}) {
+        for (const Index k : {4, 5, 7}) {
+          const ExtremaSolution greedy = solve(terrain, k, objective, Method::greedy);
+          const ExtremaSolution best = solve(terrain, k, objective);
+          ASSERT_EQ(problem(terrain, greedy, k, objective), "") << k << ' ' << terrain.source();
+          ASSERT_EQ(problem(terrain, best, k, objective), "") << k << ' ' << terrain.source();
+          ASSERT_LE(best.result, greedy.result) << k << ' ' << terrain.source();
+          ++runs;
+          improved += best.result < greedy.result;
+        }
+      }
+    }
+  }
+  EXPECT_GT(improved, runs / 100) << "of " << runs << ": the search is of no use";
+}
+
+/// White noise: extrema so dense that hulls meet everywhere.
+TEST(RemoveExtremaLarge, noise) {
+  for (const support::Points& points :
+       {support::uniform(8000, 15), support::lattice(90, 90), support::clustered(8000, 16)}) {
+    families::Random random(17);
+    std::vector<double> z;
+    for (std::size_t i = 0; i < points.size(); ++i) z.push_back(random.real());
+    const Terrain terrain(points, z);
+    for (const Objective objective : kObjectives) {
+      for (const Index k : {3, 6, 9}) {
+        const ExtremaSolution greedy = solve(terrain, k, objective, Method::greedy);
+        ASSERT_EQ(problem(terrain, greedy, k, objective), "") << k;
+        const ExtremaSolution best = solve(terrain, k, objective);
+        ASSERT_EQ(problem(terrain, best, k, objective), "") << k;
+        ASSERT_LE(best.result, greedy.result);
+      }
+    }
+  }
+}
+
 class Terrains : public testing::TestWithParam<std::string> {};
 
 TEST_P(Terrains, the_bound_is_nearly_met) {

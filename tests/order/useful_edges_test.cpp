@@ -93,6 +93,22 @@ TEST_P(UsefulFamilies, equal_the_definition) {
   }
 }
 
+/// Branches are cut where proofs say that nothing of the order is left there. With no limit to
+/// speak of nothing is ever cut, which must make no difference.
+TEST_P(UsefulFamilies, cuts_lose_nothing) {
+  constexpr Index kNoLimit = 1000;
+  if (GetParam().name == "wide_range") GTEST_SKIP() << "fractions of 2000 bits are slow";
+  for (const int n : {40, 80}) {
+    for (int seed = 0; seed < 2; ++seed) {
+      const Delaunay d = delaunay(support::to_point_set(GetParam().make(n, seed)));
+      const DelaunayGraph graph(d);
+      const Table all = search_all(graph, kNoLimit);
+      for (const Index limit : {1, 2, 4, 7, 12})
+        expect_equal(search_all(graph, limit), all, limit, support::to_source(d.vertices.xy));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, UsefulFamilies, testing::ValuesIn(families::all()),
                          [](const auto& each) { return each.param.name; });
 
