@@ -113,11 +113,6 @@ std::size_t count_distinct(const PointSet& points) {
   return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
 }
 
-double Stopwatch::lap() {
-  const auto now = std::chrono::steady_clock::now();
-  return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-}
-
 TerminalProgress::TerminalProgress() {
   if (!isatty(STDERR_FILENO)) return;
   relay_ = std::make_unique<ProgressRelay>([this](std::string_view phase, double fraction) {

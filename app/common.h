@@ -1,7 +1,6 @@
 // What the subcommands share.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -16,6 +15,7 @@
 
 #include "hodt/base/ids.h"
 #include "hodt/base/progress.h"
+#include "hodt/base/stopwatch.h"
 #include "hodt/geometry/point_set.h"
 #include "hodt/tin/extrema.h"
 
@@ -76,15 +76,6 @@ std::string counted(std::size_t count, std::string_view thing);
 
 /// How many points have a different (x, y) from all points before them.
 std::size_t count_distinct(const PointSet& points);
-
-class Stopwatch {
- public:
-  /// Seconds since the last lap, or since the start.
-  double lap();
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Says on the terminal what a long job is doing; says nothing if there is no terminal.
 class TerminalProgress {

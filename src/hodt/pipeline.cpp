@@ -1,7 +1,6 @@
 #include "hodt/pipeline.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +8,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/optimize/first_order_extrema.h"
 #include "hodt/optimize/remove_extrema.h"
@@ -18,20 +18,6 @@
 namespace hodt {
 
 namespace {
-
-class Stopwatch {
- public:
-  /// Seconds since the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 void require_heights(const PointSet& points, Objective objective) {
   if (objective == Objective::none || points.has_heights()) return;

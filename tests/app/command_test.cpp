@@ -132,6 +132,7 @@ TEST_F(Command, RefusesBadInput) {
       {"x,y,z\n", "bad.csv holds no data row"},
       {"1,2,3\n4,5,6\n", "three"},
       {"1,2,3\n4,5,6\n1,2,7\n4,5,8\n", "three"},
+      {"1,2,3\n4,5,6\n1,2,7\n4,5,8\n", "bad.csv: 2 distinct"},
       {"0,0,1\n1,1,1\n2,2,5\n3,3,0\n", "line"},
       {"x,y,z\n1,2,3\n4,nan,6\n7,8,8\n", "bad.csv, line 3"},
       {"1,2,3\n4,5,inf\n7,8,8\n", "bad.csv, line 2"},
@@ -158,6 +159,9 @@ TEST_F(Command, RefusesBadUsage) {
   expect_refused(start + "none/out.ply", "none");
   expect_refused(start + "out.ply --json none/out.json", "none");
   expect_refused(start + "out.ply --json out.ply", "out.ply");
+  expect_refused(start + "out.ply --json $PWD/out.ply", "out.ply");
+  expect_refused(start + "out.ply --json points.csv", "is the input");
+  expect_refused(start + "out.obj.gz", "'.gz'");
   expect_refused(start + "out.ply --objective beauty", "beauty");
   expect_refused(start + "out.ply --method magic", "magic");
   for (const char* k : {"-1", "1.5", "x", "''", "1e3", "-0"}) {
