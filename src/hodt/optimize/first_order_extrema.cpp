@@ -1,10 +1,11 @@
 #include "hodt/optimize/first_order_extrema.h"
 
-#include <array>
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
 #include "hodt/base/buffer.h"
+#include "hodt/base/parallel.h"
 #include "hodt/optimize/heights.h"
 #include "hodt/order/first_order.h"
 
@@ -30,76 +31,118 @@ struct Quadrilateral {
 class Solver {
  public:
   Solver(const DelaunayGraph& graph, std::span<const double> z)
-      : graph_(graph), heights_{graph.xy, z}, removed_(graph.xy.size(), false) {}
+      : graph_(graph),
+        heights_{graph.xy, z},
+        in_s_(graph.xy.size(), 0),
+        in_delaunay_(graph.xy.size(), 0),
+        removed_(graph.xy.size(), false) {}
 
   ExtremaSolution run();
 
  private:
-  void find_extrema_of_s();
+  void find_extrema();
+  bool is_extremum_of_s(VertexId v, Extremum kind) const;
   void find_quadrilaterals();
   void take_free_diagonals();
   void solve_conflicts();
-  std::size_t count_extrema(const TriangleMesh& mesh) const;
-
-  void mark_neighbours(const TriangleMesh& mesh, HalfEdgeId h, Buffer<std::uint8_t>& has) const;
   VertexId removed_by(VertexId a, VertexId b) const;
 
   const DelaunayGraph& graph_;
   const Heights heights_;
-  std::vector<HalfEdgeId> flippable_;
-  Buffer<std::uint8_t> has_;  // a lower (bit 0), a higher (bit 1) neighbour along a fixed edge
+  Buffer<std::uint8_t> in_s_, in_delaunay_;  // what a vertex is an extremum of: bits
+  std::vector<HalfEdgeId> flippable_;        // of the quadrilaterals at extrema of S
   std::vector<Quadrilateral> arcs_;
   std::vector<HalfEdgeId> to_flip_;
   Buffer<bool> removed_;  // an extremum of S that some chosen diagonal removes
 };
 
-constexpr std::uint8_t kLower = 1, kHigher = 2;
+constexpr Extremum kKinds[] = {Extremum::minimum, Extremum::maximum};
+std::uint8_t bit(Extremum kind) {
+  return std::uint8_t(1u << unsigned(kind));
+}
 
 ExtremaSolution Solver::run() {
-  flippable_ = first_order_edges(graph_);
-  find_extrema_of_s();
+  find_extrema();
+  find_quadrilaterals();
   take_free_diagonals();
   solve_conflicts();
-  ExtremaSolution result;
-  result.delaunay = count_extrema(graph_.mesh);
-  result.mesh = graph_.mesh;
-  for (const HalfEdgeId h : to_flip_) result.mesh.flip(h);
-  result.result = result.bound = count_extrema(result.mesh);  // Theorem 4: optimal
-  return result;
+
+  ExtremaSolution solution;
+  solution.mesh = graph_.mesh;
+  for (const HalfEdgeId h : to_flip_) solution.mesh.flip(h);
+  for (Index v = 0; v < in_s_.size(); ++v) {
+    solution.delaunay += (in_delaunay_[v] & 1) + (in_delaunay_[v] >> 1);
+    solution.result += in_s_[v] != 0 && !removed_[v];
+  }
+  solution.bound = solution.result;  // Theorem 4: optimal
+  return solution;
 }
 
-void Solver::mark_neighbours(const TriangleMesh& mesh, HalfEdgeId h,
-                             Buffer<std::uint8_t>& has) const {
-  const VertexId a = mesh.origin(h), b = mesh.target(h);
-  const bool a_lower = heights_.lower(a, b);
-  has[a] |= a_lower ? kHigher : kLower;
-  has[b] |= a_lower ? kLower : kHigher;
+void Solver::find_extrema() {
+  parallel_for(0, in_s_.size(), 1 << 13, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const VertexId v{Index(i)};
+      for (const Extremum kind : kKinds) {
+        bool none = true;
+        graph_.for_each_neighbour(v, [&](VertexId w) { none &= !heights_.removes(w, v, kind); });
+        if (none) in_delaunay_[v] |= bit(kind);
+        if (none || is_extremum_of_s(v, kind)) in_s_[v] |= bit(kind);
+      }
+    }
+  });
 }
 
-std::size_t Solver::count_extrema(const TriangleMesh& mesh) const {
-  Buffer<std::uint8_t> has(mesh.vertex_count(), 0);
-  for (Index i = 0; i < mesh.halfedge_count(); ++i) mark_neighbours(mesh, HalfEdgeId(i), has);
-  std::size_t count = 0;
-  for (const std::uint8_t h : has) count += !(h & kLower) + !(h & kHigher);
-  return count;
-}
-
-void Solver::find_extrema_of_s() {
+/// Whether every edge that keeps v from being an extremum is flippable. Two of them in one triangle
+/// are not both flippable, which settles nearly all vertices without a look at a circle.
+bool Solver::is_extremum_of_s(VertexId v, Extremum kind) const {
   const TriangleMesh& mesh = graph_.mesh;
-  Buffer<bool> is_flippable(mesh.halfedge_count(), false);
-  for (const HalfEdgeId h : flippable_) is_flippable[h] = is_flippable[mesh.twin(h)] = true;
-  has_ = Buffer<std::uint8_t>(mesh.vertex_count(), 0);
-  for (Index i = 0; i < mesh.halfedge_count(); ++i)
-    if (!is_flippable[i]) mark_neighbours(mesh, HalfEdgeId(i), has_);
+  bool two_in_a_triangle = false;
+  for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
+    two_in_a_triangle |=
+        heights_.removes(mesh.target(h), v, kind) && heights_.removes(mesh.apex(h), v, kind);
+  });
+  if (two_in_a_triangle) return false;
+  bool all_flippable = true;
+  for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
+    if (heights_.removes(mesh.target(h), v, kind))
+      all_flippable = all_flippable && is_first_order_flippable(graph_, h);
+    const HalfEdgeId back = TriangleMesh::prev(h);  // the last edge of a boundary vertex is fixed
+    if (mesh.is_boundary(back) && heights_.removes(mesh.apex(h), v, kind)) all_flippable = false;
+  });
+  return all_flippable;
 }
 
-/// The extremum of S that the edge ab removes: a minimum that it gives a lower neighbour or a
+/// Those where a diagonal removes an extremum v of S: it starts at v, along a flippable edge or
+/// across the edge that v sees in one of its triangles.
+void Solver::find_quadrilaterals() {
+  const TriangleMesh& mesh = graph_.mesh;
+  const auto add = [&](HalfEdgeId h) {
+    if (is_first_order_flippable(graph_, h))
+      flippable_.push_back(std::min<Index>(h, mesh.twin(h)) == h ? h : mesh.twin(h));
+  };
+  for (Index i = 0; i < in_s_.size(); ++i) {
+    const VertexId v(i);
+    for (const Extremum kind : kKinds) {
+      if (!(in_s_[v] & bit(kind))) continue;
+      for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
+        if (heights_.removes(mesh.target(h), v, kind)) add(h);
+        const HalfEdgeId opposite = TriangleMesh::next(h);
+        if (mesh.is_boundary(opposite)) return;
+        if (heights_.removes(mesh.apex(mesh.twin(opposite)), v, kind)) add(opposite);
+      });
+    }
+  }
+  std::sort(flippable_.begin(), flippable_.end());
+  flippable_.erase(std::unique(flippable_.begin(), flippable_.end()), flippable_.end());
+}
+
+/// The extremum of S that the diagonal ab removes: a minimum that it gives a lower neighbour or a
 /// maximum that it gives a higher one. It cannot be both ends: each has the quadrilateral's other
 /// two corners as fixed neighbours, a minimum below them and a maximum above.
 VertexId Solver::removed_by(VertexId a, VertexId b) const {
   const VertexId low = heights_.lower(a, b) ? a : b, high = low == a ? b : a;
-  if (!(has_[high] & kLower)) return high;
-  if (!(has_[low] & kHigher)) return low;
+  if (in_s_[high] & bit(Extremum::minimum)) return high;
+  if (in_s_[low] & bit(Extremum::maximum)) return low;
   return {};
 }
 
