@@ -56,11 +56,6 @@ class Solver {
   Buffer<bool> removed_;  // an extremum of S that some chosen diagonal removes
 };
 
-constexpr Extremum kKinds[] = {Extremum::minimum, Extremum::maximum};
-std::uint8_t bit(Extremum kind) {
-  return std::uint8_t(1u << unsigned(kind));
-}
-
 ExtremaSolution Solver::run() {
   find_extrema();
   find_quadrilaterals();
@@ -82,7 +77,7 @@ void Solver::find_extrema() {
   parallel_for(0, in_s_.size(), 1 << 13, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const VertexId v{Index(i)};
-      for (const Extremum kind : kKinds) {
+      for (const Extremum kind : kExtrema) {
         bool none = true;
         graph_.for_each_neighbour(v, [&](VertexId w) { none &= !heights_.removes(w, v, kind); });
         if (none) in_delaunay_[v] |= bit(kind);
@@ -122,7 +117,7 @@ void Solver::find_quadrilaterals() {
   };
   for (Index i = 0; i < in_s_.size(); ++i) {
     const VertexId v(i);
-    for (const Extremum kind : kKinds) {
+    for (const Extremum kind : kExtrema) {
       if (!(in_s_[v] & bit(kind))) continue;
       for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
         if (heights_.removes(mesh.target(h), v, kind)) add(h);

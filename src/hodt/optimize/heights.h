@@ -11,6 +11,12 @@ namespace hodt {
 
 /// What a vertex is an extremum of.
 enum class Extremum : std::uint8_t { minimum, maximum };
+inline constexpr Extremum kExtrema[] = {Extremum::minimum, Extremum::maximum};
+
+/// One bit a kind, for sets of kinds.
+constexpr std::uint8_t bit(Extremum kind) {
+  return std::uint8_t(1u << unsigned(kind));
+}
 
 /// The order of heights: by z, ties by x and then y.
 struct Heights {

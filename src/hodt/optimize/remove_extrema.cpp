@@ -26,9 +26,6 @@ struct Target {
 
 /// One bit a kind of extremum that a vertex is.
 using State = std::uint8_t;
-State bit(Extremum kind) {
-  return State(1u << unsigned(kind));
-}
 
 constexpr Index kFirstSearch = 4;         // the order up to which every target's edges are searched
 constexpr std::size_t kEffort = 1 << 16;  // steps of a search; orders below 50 take far fewer
@@ -129,7 +126,7 @@ void Remover::find_targets() {
     for (std::size_t v = first; v < last; ++v) state_[v] = state_of(VertexId(Index(v)));
   });
   for (Index i = 0; i < state_.size(); ++i)
-    for (const Extremum kind : {Extremum::minimum, Extremum::maximum})
+    for (const Extremum kind : kExtrema)
       if (state_[i] & bit(kind)) {
         target_of_[i] = Index(targets_.size());
         targets_.push_back({.vertex = VertexId(i), .kind = kind, .edges = {}, .searched = 0});
@@ -242,7 +239,7 @@ bool Remover::accept_if_better(ConstrainedTriangulation::Moment since) {
   if (gained <= 0) return false;
   for (const VertexId v : corners_) {
     state_[v] = state_of(v);
-    for (const Extremum kind : {Extremum::minimum, Extremum::maximum})
+    for (const Extremum kind : kExtrema)
       if ((state_[v] & bit(kind)) && target_of_[v] == kNone) {  // a new extremum, seldom
         target_of_[v] = Index(targets_.size());
         targets_.push_back({.vertex = v, .kind = kind, .edges = {}, .searched = 0});
