@@ -4,8 +4,10 @@
 // do not depend on where it was cut, or land in a place fixed beforehand.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #if defined(__SANITIZE_THREAD__)
 #define HODT_PLAIN_THREADS 1
@@ -40,6 +42,24 @@ void parallel_for(std::size_t begin, std::size_t end, std::size_t grain, const F
   tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
                     [&](const tbb::blocked_range<std::size_t>& r) { f(r.begin(), r.end()); });
 #endif
+}
+
+/// What f(first, last, found) adds to the vector `found` on each piece of [begin, end) of `grain`
+/// elements, in the order of the pieces.
+template <class T, class F>
+std::vector<T> parallel_collect(std::size_t begin, std::size_t end, std::size_t grain, const F& f) {
+  const std::size_t pieces = begin < end ? (end - begin + grain - 1) / grain : 0;
+  std::vector<std::vector<T>> found(pieces);
+  parallel_for(0, pieces, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      f(begin + i * grain, std::min(end, begin + (i + 1) * grain), found[i]);
+  });
+  std::size_t total = 0;
+  for (const auto& piece : found) total += piece.size();
+  std::vector<T> all;
+  all.reserve(total);
+  for (const auto& piece : found) all.insert(all.end(), piece.begin(), piece.end());
+  return all;
 }
 
 /// Runs f() and g(), possibly at the same time.

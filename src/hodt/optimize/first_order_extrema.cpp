@@ -7,6 +7,7 @@
 #include "hodt/base/buffer.h"
 #include "hodt/base/parallel.h"
 #include "hodt/optimize/heights.h"
+#include "hodt/optimize/ranks.h"
 #include "hodt/order/first_order.h"
 
 // S is the subdivision of the fixed edges: triangles and convex quadrilaterals. An extremum of S is
@@ -41,7 +42,8 @@ class Solver {
 
  private:
   void find_extrema();
-  bool is_extremum_of_s(VertexId v, Extremum kind) const;
+  bool all_flippable(VertexId v, Extremum kind) const;
+  void add_quadrilaterals(VertexId v, Extremum kind, std::vector<HalfEdgeId>& found) const;
   void find_quadrilaterals();
   void take_free_diagonals();
   void solve_conflicts();
@@ -74,59 +76,59 @@ ExtremaSolution Solver::run() {
 }
 
 void Solver::find_extrema() {
+  const Buffer<Ranks> ranks = ranks_of(graph_.mesh, heights_);
   parallel_for(0, in_s_.size(), 1 << 13, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const VertexId v{Index(i)};
       for (const Extremum kind : kExtrema) {
-        bool none = true;
-        graph_.for_each_neighbour(v, [&](VertexId w) { none &= !heights_.removes(w, v, kind); });
-        if (none) in_delaunay_[v] |= bit(kind);
-        if (none || is_extremum_of_s(v, kind)) in_s_[v] |= bit(kind);
+        const bool in_delaunay = ranks[v].is_extremum(kind);
+        if (in_delaunay) in_delaunay_[v] |= bit(kind);
+        // Two edges in one triangle are not both flippable, which settles nearly all vertices
+        // without a look at a circle.
+        if (in_delaunay || (!ranks[v].two_in_a_triangle(kind) && all_flippable(v, kind)))
+          in_s_[v] |= bit(kind);
       }
     }
   });
 }
 
-/// Whether every edge that keeps v from being an extremum is flippable. Two of them in one triangle
-/// are not both flippable, which settles nearly all vertices without a look at a circle.
-bool Solver::is_extremum_of_s(VertexId v, Extremum kind) const {
+/// Whether every edge that keeps v from being an extremum is flippable.
+bool Solver::all_flippable(VertexId v, Extremum kind) const {
   const TriangleMesh& mesh = graph_.mesh;
-  bool two_in_a_triangle = false;
-  for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
-    two_in_a_triangle |=
-        heights_.removes(mesh.target(h), v, kind) && heights_.removes(mesh.apex(h), v, kind);
-  });
-  if (two_in_a_triangle) return false;
-  bool all_flippable = true;
-  for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
-    if (heights_.removes(mesh.target(h), v, kind))
-      all_flippable = all_flippable && is_first_order_flippable(graph_, h);
+  HalfEdgeId h = graph_.outgoing[v];
+  do {
+    if (heights_.removes(mesh.target(h), v, kind) && !is_first_order_flippable(graph_, h))
+      return false;
     const HalfEdgeId back = TriangleMesh::prev(h);  // the last edge of a boundary vertex is fixed
-    if (mesh.is_boundary(back) && heights_.removes(mesh.apex(h), v, kind)) all_flippable = false;
-  });
-  return all_flippable;
+    if (mesh.is_boundary(back) && heights_.removes(mesh.origin(back), v, kind)) return false;
+    h = mesh.rotate_ccw(h);
+  } while (h.valid() && h != graph_.outgoing[v]);
+  return true;
 }
 
-/// Those where a diagonal removes an extremum v of S: it starts at v, along a flippable edge or
-/// across the edge that v sees in one of its triangles.
-void Solver::find_quadrilaterals() {
+/// The quadrilaterals where a diagonal removes the extremum v of S: it starts at v, along a
+/// flippable edge or across the edge that v sees in one of its triangles.
+void Solver::add_quadrilaterals(VertexId v, Extremum kind, std::vector<HalfEdgeId>& found) const {
   const TriangleMesh& mesh = graph_.mesh;
   const auto add = [&](HalfEdgeId h) {
-    if (is_first_order_flippable(graph_, h))
-      flippable_.push_back(std::min<Index>(h, mesh.twin(h)) == h ? h : mesh.twin(h));
+    if (is_first_order_flippable(graph_, h)) found.push_back(std::min(h, mesh.twin(h)));
   };
-  for (Index i = 0; i < in_s_.size(); ++i) {
-    const VertexId v(i);
-    for (const Extremum kind : kExtrema) {
-      if (!(in_s_[v] & bit(kind))) continue;
-      for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
-        if (heights_.removes(mesh.target(h), v, kind)) add(h);
-        const HalfEdgeId opposite = TriangleMesh::next(h);
-        if (mesh.is_boundary(opposite)) return;
-        if (heights_.removes(mesh.apex(mesh.twin(opposite)), v, kind)) add(opposite);
+  for_each_outgoing(mesh, graph_.outgoing[v], [&](HalfEdgeId h) {
+    if (heights_.removes(mesh.target(h), v, kind)) add(h);
+    const HalfEdgeId opposite = TriangleMesh::next(h);
+    if (mesh.is_boundary(opposite)) return;
+    if (heights_.removes(mesh.apex(mesh.twin(opposite)), v, kind)) add(opposite);
+  });
+}
+
+void Solver::find_quadrilaterals() {
+  flippable_ = parallel_collect<HalfEdgeId>(
+      0, in_s_.size(), 1 << 13,
+      [&](std::size_t first, std::size_t last, std::vector<HalfEdgeId>& found) {
+        for (std::size_t i = first; i < last; ++i)
+          for (const Extremum kind : kExtrema)
+            if (in_s_[i] & bit(kind)) add_quadrilaterals(VertexId(Index(i)), kind, found);
       });
-    }
-  }
   std::sort(flippable_.begin(), flippable_.end());
   flippable_.erase(std::unique(flippable_.begin(), flippable_.end()), flippable_.end());
 }

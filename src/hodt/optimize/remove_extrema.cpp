@@ -7,6 +7,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/optimize/heights.h"
+#include "hodt/optimize/ranks.h"
 #include "hodt/order/circle_counter.h"
 #include "hodt/order/constrained_triangulation.h"
 #include "hodt/order/useful_edges.h"
@@ -122,9 +123,14 @@ State Remover::state_of(VertexId v) const {
 }
 
 void Remover::find_targets() {
-  parallel_for(0, state_.size(), 1 << 13, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) state_[v] = state_of(VertexId(Index(v)));
-  });
+  const Buffer<Ranks> ranks = ranks_of(graph_.mesh, heights_);
+  for (Index i = 0; i < state_.size(); ++i) {
+    state_[i] = 0;
+    if (counts_minima(problem_.objective) && ranks[i].is_extremum(Extremum::minimum))
+      state_[i] |= bit(Extremum::minimum);
+    if (counts_maxima(problem_.objective) && ranks[i].is_extremum(Extremum::maximum))
+      state_[i] |= bit(Extremum::maximum);
+  }
   for (Index i = 0; i < state_.size(); ++i)
     for (const Extremum kind : kExtrema)
       if (state_[i] & bit(kind)) {

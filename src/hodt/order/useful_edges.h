@@ -1,11 +1,13 @@
 // Useful edges from a vertex: the edges that some triangulation of order k contains (Lemma 4).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include "hodt/order/first_order.h"
 #include "hodt/order/window_walk.h"
 
 namespace hodt {
@@ -40,10 +42,28 @@ class UsefulEdgeSearch {
   template <class Wanted, class Behind>
   const std::vector<UsefulEdge>& walk(VertexId u, Index limit, const Wanted& wanted,
                                       const Behind& behind) {
+    if (limit == 0) return first_order_.clear(), first_order_;
+    if (limit == 1) return across_one_edge(u, wanted);
     // Four slots an order cut the walk well.
     if (limit <= 12) return walk_with(small_, u, limit, wanted, behind);
     if (limit <= 60) return walk_with(medium_, u, limit, wanted, behind);
     return walk_with(large_, u, limit, wanted, behind);
+  }
+
+  /// Corollary 3: an edge of useful order 1 crosses one Delaunay edge, and is its flip.
+  template <class Wanted>
+  const std::vector<UsefulEdge>& across_one_edge(VertexId u, const Wanted& wanted) {
+    first_order_.clear();
+    complete_ = true;
+    for_each_outgoing(graph_.mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
+      const HalfEdgeId opposite = TriangleMesh::next(h);
+      if (graph_.mesh.is_boundary(opposite)) return;
+      const VertexId v = graph_.mesh.apex(graph_.mesh.twin(opposite));
+      if (wanted(v) && is_first_order_flippable(graph_, opposite)) first_order_.push_back({v, 1});
+    });
+    std::sort(first_order_.begin(), first_order_.end(),
+              [](const UsefulEdge& a, const UsefulEdge& b) { return a.to < b.to; });
+    return first_order_;
   }
 
   template <class Walk, class Wanted, class Behind>
@@ -58,6 +78,7 @@ class UsefulEdgeSearch {
   const DelaunayGraph& graph_;
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();
   bool complete_ = true;
+  std::vector<UsefulEdge> first_order_;
   std::unique_ptr<WindowWalk<1>> small_;
   std::unique_ptr<WindowWalk<4>> medium_;
   std::unique_ptr<WindowWalk<16>> large_;
