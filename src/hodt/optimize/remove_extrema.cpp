@@ -29,7 +29,7 @@ struct Target {
 using State = std::uint8_t;
 
 constexpr Index kFirstSearch = 4;         // the order up to which every target's edges are searched
-constexpr std::size_t kEffort = 1 << 16;  // steps of a search; orders below 50 take far fewer
+constexpr std::size_t kEffort = 1 << 24;  // questions of a search; orders below 200 take far fewer
 constexpr int kAttempts = 4000;           // edges tried to remove one more extremum
 constexpr int kDepth = 3;                 // how long a chain of displaced edges may grow
 

@@ -4,84 +4,82 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "hodt/order/first_order.h"
-#include "hodt/order/window_walk.h"
+#include "hodt/order/neighbourhood.h"
+#include "hodt/order/pencil.h"
 
 namespace hodt {
 
+/// An edge from a vertex that was asked about, with its useful order.
+struct UsefulEdge {
+  VertexId to;
+  Index order = 0;
+};
+
 /// Finds the useful edges of a vertex beyond its Delaunay edges. Holds scratch memory for one
-/// thread.
+/// thread. docs/design/useful-edges.md tells how it works and why it is exact.
 class UsefulEdgeSearch {
  public:
-  explicit UsefulEdgeSearch(const DelaunayGraph& graph) : graph_(graph) {}
+  explicit UsefulEdgeSearch(const DelaunayGraph& graph)
+      : graph_(graph), around_(graph), pencil_(around_) {}
 
-  /// Lets each search end early after this many steps. For orders in the hundreds, where a search
-  /// can visit a large part of the plane; complete() then tells whether the last one found all.
-  void limit_effort(std::size_t steps) { effort_ = steps; }
+  // The pencil refers to the neighbourhood beside it.
+  UsefulEdgeSearch(const UsefulEdgeSearch&) = delete;
+  UsefulEdgeSearch& operator=(const UsefulEdgeSearch&) = delete;
+
+  /// Lets a search give up, and find nothing, after so many questions (one point against another).
+  /// For orders in the hundreds. complete() then tells.
+  void limit_effort(std::size_t questions) { effort_ = questions; }
   bool complete() const { return complete_; }
 
   /// All edges from u of useful order 1 to `limit` whose other end `wanted` accepts; sorted by
   /// order, then by vertex. The result lives until the next call.
   template <class Wanted>
   const std::vector<UsefulEdge>& from(VertexId u, Index limit, const Wanted& wanted) {
-    return walk(u, limit, wanted, [](VertexId) { return false; });
-  }
-
-  /// The same for the other ends that are lexicographically larger than u: asked of every vertex,
-  /// each edge is found once. Windows that only lead to smaller ones are not entered.
-  const std::vector<UsefulEdge>& to_larger(VertexId u, Index limit) {
-    const Point& p = graph_.point(u);
-    const auto larger = [&](VertexId v) { return lexicographically_less(p, graph_.point(v)); };
-    return walk(u, limit, larger, [&](VertexId v) { return !larger(v); });
+    found_.clear();
+    complete_ = true;
+    if (limit == 1)
+      across_one_edge(u, wanted);
+    else if (limit > 1)
+      in_neighbourhood(u, limit, wanted);
+    std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
+      return a.order != b.order ? a.order < b.order : a.to < b.to;
+    });
+    return found_;
   }
 
  private:
-  template <class Wanted, class Behind>
-  const std::vector<UsefulEdge>& walk(VertexId u, Index limit, const Wanted& wanted,
-                                      const Behind& behind) {
-    if (limit == 0) return first_order_.clear(), first_order_;
-    if (limit == 1) return across_one_edge(u, wanted);
-    // Four slots an order cut the walk well.
-    if (limit <= 12) return walk_with(small_, u, limit, wanted, behind);
-    if (limit <= 60) return walk_with(medium_, u, limit, wanted, behind);
-    return walk_with(large_, u, limit, wanted, behind);
-  }
-
   /// Corollary 3: an edge of useful order 1 crosses one Delaunay edge, and is its flip.
   template <class Wanted>
-  const std::vector<UsefulEdge>& across_one_edge(VertexId u, const Wanted& wanted) {
-    first_order_.clear();
-    complete_ = true;
+  void across_one_edge(VertexId u, const Wanted& wanted) {
     for_each_outgoing(graph_.mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
       const HalfEdgeId opposite = TriangleMesh::next(h);
       if (graph_.mesh.is_boundary(opposite)) return;
       const VertexId v = graph_.mesh.apex(graph_.mesh.twin(opposite));
-      if (wanted(v) && is_first_order_flippable(graph_, opposite)) first_order_.push_back({v, 1});
+      if (wanted(v) && is_first_order_flippable(graph_, opposite)) found_.push_back({v, 1});
     });
-    std::sort(first_order_.begin(), first_order_.end(),
-              [](const UsefulEdge& a, const UsefulEdge& b) { return a.to < b.to; });
-    return first_order_;
   }
 
-  template <class Walk, class Wanted, class Behind>
-  const std::vector<UsefulEdge>& walk_with(std::unique_ptr<Walk>& walk, VertexId u, Index limit,
-                                           const Wanted& wanted, const Behind& behind) {
-    if (!walk) walk = std::make_unique<Walk>(graph_);
-    const auto& found = walk->walk(u, limit, effort_, wanted, behind);
-    complete_ = walk->complete();
-    return found;
+  template <class Wanted>
+  void in_neighbourhood(VertexId u, Index limit, const Wanted& wanted) {
+    complete_ = around_.gather(u, limit, effort_);
+    if (!complete_) return;
+    for (Index i = around_.degree(); i < around_.size(); ++i) {
+      const VertexId v = around_.vertex(i);
+      if (around_.least_order(i) > limit || !wanted(v)) continue;
+      const Index order = pencil_.useful_order(i, limit);
+      if (order <= limit) found_.push_back({v, order});
+    }
   }
 
   const DelaunayGraph& graph_;
+  Neighbourhood around_;
+  Pencil pencil_;
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();
   bool complete_ = true;
-  std::vector<UsefulEdge> first_order_;
-  std::unique_ptr<WindowWalk<1>> small_;
-  std::unique_ptr<WindowWalk<4>> medium_;
-  std::unique_ptr<WindowWalk<16>> large_;
+  std::vector<UsefulEdge> found_;
 };
 
 }  // namespace hodt
