@@ -37,6 +37,8 @@ void add_triangulate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_sample(CLI::App& app, Action& action);
+void add_edges(CLI::App& app, Action& action);
+void add_triangles(CLI::App& app, Action& action);
 void add_voronoi(CLI::App& app, Action& action);
 
 /// A whole number of at least `least` from an option's text; anything larger than `most` is

@@ -61,6 +61,8 @@ Action parse(CLI::App& app, int argc, char** argv) {
   add_check(app, action);
   add_info(app, action);
   add_sample(app, action);
+  add_edges(app, action);
+  add_triangles(app, action);
   add_voronoi(app, action);
   check_command_name(app, argc, argv);
   try {

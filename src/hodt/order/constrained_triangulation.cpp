@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hodt/geometry/predicates.h"
+#include "hodt/order/segment_walk.h"
 
 namespace hodt {
 
@@ -96,38 +97,15 @@ HalfEdgeId ConstrainedTriangulation::find_edge(VertexId from, VertexId to) const
   return found;
 }
 
-/// The edge opposite `from` in the triangle that the segment enters first: its origin lies to the
-/// right of the segment and its target to the left.
-HalfEdgeId ConstrainedTriangulation::first_crossed(VertexId from, VertexId to) const {
-  const Point &a = xy_[from], &b = xy_[to];
-  HalfEdgeId found;
-  for_each_outgoing(mesh_, outgoing(from), [&](HalfEdgeId h) {
-    if (found.valid()) return;
-    if (orient(a, xy_[mesh_.target(h)], b) > 0 && orient(a, b, xy_[mesh_.apex(h)]) > 0)
-      found = TriangleMesh::next(h);
-  });
-  return found;
-}
-
-/// The edge through which the segment leaves the triangle beyond a crossed edge; kNone at the end.
-HalfEdgeId ConstrainedTriangulation::next_crossed(HalfEdgeId crossed, VertexId from,
-                                                  VertexId to) const {
-  const HalfEdgeId across = mesh_.twin(crossed);
-  const VertexId w = mesh_.apex(across);
-  if (w == to) return {};
-  const bool w_is_left = orient(xy_[from], xy_[to], xy_[w]) > 0;
-  return w_is_left ? TriangleMesh::next(across) : TriangleMesh::prev(across);
-}
-
 void ConstrainedTriangulation::owners_crossed(VertexId from, VertexId to,
                                               std::vector<VertexId>& owners) const {
   owners.clear();
   if (find_edge(from, to).valid()) return;
-  for (HalfEdgeId h = first_crossed(from, to); h.valid(); h = next_crossed(h, from, to)) {
+  for_each_crossed(mesh_, xy_, outgoing(from), from, to, [&](HalfEdgeId h) {
     const VertexId a = mesh_.origin(h), b = mesh_.target(h);
     if (partner_[a] == b) owners.push_back(a);
     if (partner_[b] == a) owners.push_back(b);
-  }
+  });
 }
 
 // ---- Locking: the triangles that the segment crosses make way. ----
@@ -144,7 +122,7 @@ bool ConstrainedTriangulation::lock(VertexId owner, VertexId to) {
 bool ConstrainedTriangulation::cross_out(VertexId from, VertexId to) {
   left_.clear();
   right_.clear();
-  HalfEdgeId h = first_crossed(from, to);
+  HalfEdgeId h = first_crossed(mesh_, xy_, outgoing(from), from, to);
   // The left chain runs from the segment's start to its end, the right chain back.
   left_.vertices.push_back(from);
   left_.old_sides.push_back(TriangleMesh::next(h));
@@ -158,7 +136,7 @@ bool ConstrainedTriangulation::cross_out(VertexId from, VertexId to) {
     const HalfEdgeId across = mesh_.twin(h);
     cavity_.push_back(TriangleMesh::triangle(across));
     const VertexId w = mesh_.apex(across);
-    h = next_crossed(h, from, to);
+    h = next_crossed(mesh_, xy_, h, from, to);
     // `across` runs from left to right; next(across) from right to w, prev(across) from w to left.
     const HalfEdgeId right_side = TriangleMesh::next(across);
     const HalfEdgeId left_side = TriangleMesh::prev(across);

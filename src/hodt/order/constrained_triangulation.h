@@ -75,8 +75,6 @@ class ConstrainedTriangulation {
   void set_triangle(TriangleId t, VertexId a, VertexId b, VertexId c);
   void keep_outgoing_valid(TriangleId t);
   HalfEdgeId find_edge(VertexId from, VertexId to) const;
-  HalfEdgeId first_crossed(VertexId from, VertexId to) const;
-  HalfEdgeId next_crossed(HalfEdgeId crossed, VertexId from, VertexId to) const;
   bool cross_out(VertexId from, VertexId to);
   HalfEdgeId triangulate_beside(Chain& chain, Index first, Index last);
   void flip(HalfEdgeId h);

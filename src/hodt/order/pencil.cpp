@@ -125,7 +125,8 @@ Index Pencil::useful_order_exactly(Index i, Index limit) const {
 
 Index Pencil::edge_order(Index i, Index limit) {
   if (i < around_.degree()) return 0;
-  if (!put_in_order(i)) return limit + 1;
+  put_in_order(i);
+  if (between_count_ > 0) return limit + 1;
   Index inside = right_count_, fewest = inside;
   for (const Passed& passed : passed_) {
     inside += passed.on_left ? 1 : -1;
@@ -134,19 +135,20 @@ Index Pencil::edge_order(Index i, Index limit) {
   return std::min(fewest, limit + 1);
 }
 
-/// Fills passed_; false if the segment passes through a vertex.
-bool Pencil::put_in_order(Index i) {
+void Pencil::put_in_order(Index i) {
   // Places are cotangents of the angle that u i is seen at; their rounding is less than `error`.
   constexpr double kSlack = 64 * 0x1p-53, kTiny = 1e-290;
   const Point &u = around_.graph().point(around_.centre()), &v = around_.point(i);
   const double qx = v.x - u.x, qy = v.y - u.y, qq = qx * qx + qy * qy;
   passed_.clear();
-  right_count_ = 0;
+  right_count_ = between_count_ = 0;
   for (Index p = 0; p < around_.size(); ++p) {
     if (p == i) continue;
     const int s = side_of(i, p);
-    if (s == 0 && is_between(i, p)) return false;
-    if (s == 0) continue;  // never inside
+    if (s == 0) {  // always inside, or never
+      between_count_ += is_between(i, p);
+      continue;
+    }
     right_count_ += s < 0;
     const double x = around_.point(p).x - u.x, y = around_.point(p).y - u.y, r = x * x + y * y;
     const double cross = qx * y - qy * x, place = (r - (qx * x + qy * y)) / cross;
@@ -155,7 +157,6 @@ bool Pencil::put_in_order(Index i) {
   }
   std::sort(passed_.begin(), passed_.end(),
             [&](const Passed& p, const Passed& q) { return is_passed_before(i, p, q); });
-  return true;
 }
 
 bool Pencil::is_passed_before(Index i, const Passed& p, const Passed& q) const {

@@ -29,7 +29,7 @@ class Pencil {
   template <class F>
   void for_each_triangle(Index i, Index limit, const F& f) {
     put_in_order(i);
-    Index inside = right_count_;
+    Index inside = between_count_ + right_count_;
     for (const Passed& passed : passed_) {
       if (!passed.on_left) --inside;
       if (inside <= limit) f(passed.vertex, inside);
@@ -52,7 +52,7 @@ class Pencil {
 
   Index count_beyond(Index i, Index first, Side side, Index limit);
   Index useful_order_exactly(Index i, Index limit) const;
-  bool put_in_order(Index i);
+  void put_in_order(Index i);
   bool is_passed_before(Index i, const Passed& p, const Passed& q) const;
   int side_of(Index i, Index p) const;
   bool is_between(Index i, Index p) const;
@@ -60,8 +60,10 @@ class Pencil {
 
   const Neighbourhood& around_;
   std::vector<LocalPoints::Split> split_;
+  // Of the edge asked about last: who enters and leaves the circles, in this order, who is inside
+  // at the beginning, and who all the time.
   std::vector<Passed> passed_;
-  Index right_count_ = 0;
+  Index right_count_ = 0, between_count_ = 0;
 };
 
 }  // namespace hodt

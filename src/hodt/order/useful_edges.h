@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "hodt/order/first_order.h"
@@ -33,6 +34,10 @@ class UsefulEdgeSearch {
   /// For orders in the hundreds. complete() then tells.
   void limit_effort(std::size_t questions) { effort_ = questions; }
   bool complete() const { return complete_; }
+
+  /// The useful order of uv if it is within the limit and uv is an edge at all (no vertex lies
+  /// between its ends).
+  std::optional<Index> useful_order(VertexId u, VertexId v, Index limit);
 
   /// All edges from u of useful order 1 to `limit` whose other end `wanted` accepts; sorted by
   /// order, then by vertex. The result lives until the next call.

@@ -1,0 +1,84 @@
+#include "app/record_lists.h"
+
+#include <fmt/format.h>
+
+#include "hodt/base/parallel.h"
+#include "hodt/delaunay/delaunay.h"
+#include "hodt/io/number_text.h"
+#include "hodt/io/point_file.h"
+
+namespace hodt::app {
+
+void add_list_options(CLI::App& command, ListArguments& arguments, const std::string& classes) {
+  command
+      .add_option("INPUT", arguments.input,
+                  "Points: CSV, TSV or XYZ, also .gz; - is standard input")
+      ->required();
+  command.add_option("-k,--order", arguments.order, "The largest order to list (default: 4)")
+      ->type_name("K");
+  command.add_option("--class", arguments.list_class, classes)->type_name("CLASS");
+  command
+      .add_option("-o,--output", arguments.output,
+                  "CSV to write; vertices are data rows of the input, from 0; - is standard output")
+      ->required()
+      ->type_name("OUT");
+  add_threads(command, arguments.threads);
+}
+
+CsvLines::CsvLines(OutputFile& file, std::string_view header) : file_(file), text_(header) {
+  text_ += '\n';
+}
+
+void CsvLines::add(std::span<const Index> numbers) {
+  constexpr std::size_t kPiece = 1 << 20;
+  for (const Index number : numbers) {
+    char digits[kLongestNumber];
+    text_.append(digits, format_number(digits, number));
+    text_ += ',';
+  }
+  text_.back() = '\n';
+  ++count_;
+  if (text_.size() > kPiece) flush();
+}
+
+void CsvLines::flush() {
+  file_.write(text_);
+  text_.clear();
+}
+
+int write_list(const ListArguments& arguments, std::string_view header, std::string_view things,
+               const ProduceLines& produce) {
+  const Index k = parse_order(arguments.order);
+  const ThreadLimit limit(parse_threads(arguments.threads));
+  check_targets(arguments.input, arguments.output, {});
+  std::string summary;
+  {
+    TerminalProgress progress;
+    progress.report("reading");
+    const PointSet points = read_points(arguments.input);
+    progress.report("Delaunay triangulation");
+    const Delaunay triangulation = delaunay({points.xy, {}});
+    const std::size_t distinct = triangulation.vertices.size();
+    DelaunayGraph graph(triangulation);
+    graph.list_neighbours();
+    progress.report(fmt::format("{} of order {} or less", things, k));
+    std::size_t count = 0;
+    atomic_write(arguments.output, [&](OutputFile& file) {
+      CsvLines lines(file, header);
+      // No circle holds more than n - 3 points beside those on it.
+      produce(graph, std::min<Index>(k, Index(distinct)),
+              row_numbering(triangulation.vertices, points.size()), lines);
+      lines.flush();
+      count = lines.count();
+    });
+    summary = fmt::format("{:<9} {}, {} dropped\n", "points", points.size(),
+                          counted(points.size() - distinct, "duplicate"));
+    summary +=
+        fmt::format("{:<9} {}, {} of order {} or less\n", things, count, arguments.list_class, k);
+    summary += fmt::format("{:<9} {}\n", "written", arguments.output);
+  }
+  if (arguments.output != "-") print(summary);
+  return kOk;
+}
+
+}  // namespace hodt::app

@@ -1,0 +1,101 @@
+#include "hodt/order/edges.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "hodt/base/parallel.h"
+#include "hodt/order/fixed_edges.h"
+#include "hodt/order/useful_edges.h"
+
+namespace hodt {
+
+namespace {
+
+/// The edges of one class at one vertex after another. Scratch memory for one thread.
+class EdgesAt {
+ public:
+  EdgesAt(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering& numbering,
+          const Buffer<bool>& fixed)
+      : graph_(graph),
+        class_(edge_class),
+        k_(k),
+        numbering_(numbering),
+        fixed_(fixed),
+        useful_(graph),
+        around_(graph),
+        pencil_(around_) {}
+
+  /// Adds those from u to vertices of larger numbers, sorted.
+  void add(VertexId u, std::vector<EdgeRecord>& records) {
+    const std::size_t before = records.size();
+    const Index number = numbering_.number[u];
+    const auto is_larger = [&](VertexId v) { return numbering_.number[v] > number; };
+    const auto record = [&](VertexId v, Index order) {
+      records.push_back({number, numbering_.number[v], order});
+    };
+    switch (class_) {
+      case EdgeClass::fixed:
+        add_fixed(u, is_larger, record);
+        break;
+      case EdgeClass::kod:
+        around_.gather(u, k_);
+        for (Index i = 0; i < around_.size(); ++i) {
+          if (around_.least_order(i) > k_ || !is_larger(around_.vertex(i))) continue;
+          const Index order = pencil_.edge_order(i, k_);
+          if (order <= k_) record(around_.vertex(i), order);
+        }
+        break;
+      case EdgeClass::useful:
+        for (const UsefulEdge& edge : useful_.from(u, k_, is_larger)) record(edge.to, edge.order);
+        [[fallthrough]];
+      case EdgeClass::delaunay:
+        graph_.for_each_neighbour(u, [&](VertexId v) {
+          if (is_larger(v)) record(v, 0);
+        });
+        break;
+    }
+    std::sort(records.begin() + std::ptrdiff_t(before), records.end(),
+              [](const EdgeRecord& a, const EdgeRecord& b) { return a.v < b.v; });
+  }
+
+ private:
+  template <class IsLarger, class Record>
+  void add_fixed(VertexId u, const IsLarger& is_larger, const Record& record) {
+    const TriangleMesh& mesh = graph_.mesh;
+    for_each_outgoing(mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
+      if (fixed_[h] && is_larger(mesh.target(h))) record(mesh.target(h), 0);
+      const HalfEdgeId last = TriangleMesh::prev(h);  // no half-edge leaves u along it
+      if (mesh.is_boundary(last) && is_larger(mesh.origin(last))) record(mesh.origin(last), 0);
+    });
+  }
+
+  const DelaunayGraph& graph_;
+  const EdgeClass class_;
+  const Index k_;
+  const Numbering& numbering_;
+  const Buffer<bool>& fixed_;
+  UsefulEdgeSearch useful_;
+  Neighbourhood around_;
+  Pencil pencil_;
+};
+
+}  // namespace
+
+void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
+                   const Numbering& numbering,
+                   const std::function<void(std::span<const EdgeRecord>)>& sink) {
+  const Buffer<bool> fixed =
+      edge_class == EdgeClass::fixed ? fixed_edges(graph, k) : Buffer<bool>();
+  PerThread<EdgesAt> edges_at([&] { return EdgesAt(graph, edge_class, k, numbering, fixed); });
+  const std::size_t n = graph.xy.size();
+  constexpr std::size_t kBatch = 1 << 17, kPiece = 1 << 10;
+  for (std::size_t begin = 0; begin < n; begin += kBatch)
+    sink(parallel_collect<EdgeRecord>(
+        begin, std::min(n, begin + kBatch), kPiece,
+        [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {
+          EdgesAt& mine = edges_at.mine();
+          for (std::size_t i = first; i < last; ++i) mine.add(numbering.ascending[i], records);
+        }));
+}
+
+}  // namespace hodt

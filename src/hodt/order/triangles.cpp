@@ -1,0 +1,182 @@
+#include "hodt/order/triangles.h"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "hodt/base/parallel.h"
+#include "hodt/geometry/predicates.h"
+#include "hodt/order/circle_counter.h"
+#include "hodt/order/edges.h"
+#include "hodt/order/neighbourhood.h"
+#include "hodt/order/pencil.h"
+
+namespace hodt {
+
+namespace {
+
+using Sink = std::function<void(std::span<const TriangleRecord>)>;
+
+bool is_less(const TriangleRecord& s, const TriangleRecord& t) {
+  return std::tie(s.a, s.b, s.c) < std::tie(t.a, t.b, t.c);
+}
+
+/// Calls f(first, last, records) on pieces of the vertices in the order of their numbers, and
+/// passes on what it adds, batch by batch.
+template <class F>
+void stream(std::size_t n, const Sink& sink, const F& f) {
+  constexpr std::size_t kBatch = 1 << 15, kPiece = 1 << 8;
+  for (std::size_t begin = 0; begin < n; begin += kBatch)
+    sink(parallel_collect<TriangleRecord>(begin, std::min(n, begin + kBatch), kPiece, f));
+}
+
+/// k-OD triangles: from each vertex, those with the edges to its k-OD neighbours.
+void for_each_kod_triangle(const DelaunayGraph& graph, Index k, const Numbering& numbering,
+                           const Sink& sink) {
+  struct Scratch {
+    explicit Scratch(const DelaunayGraph& g) : around(g), pencil(around) {}
+    Scratch(const Scratch&) = delete;
+    Neighbourhood around;
+    Pencil pencil;
+  };
+  PerThread<Scratch> scratch([&] { return Scratch(graph); });
+  const auto add = [&](VertexId u, std::vector<TriangleRecord>& records) {
+    auto& [around, pencil] = scratch.mine();
+    const std::size_t before = records.size();
+    const auto number = [&](Index i) { return numbering.number[around.vertex(i)]; };
+    const Index a = numbering.number[u];
+    around.gather(u, k);
+    for (Index i = 0; i < around.size(); ++i) {
+      const Index b = number(i);
+      if (b < a || around.least_order(i) > k) continue;
+      pencil.for_each_triangle(i, k, [&](Index j, Index order) {
+        if (number(j) > b) records.push_back({a, b, number(j), order});
+      });
+    }
+    std::sort(records.begin() + std::ptrdiff_t(before), records.end(), is_less);
+  };
+  stream(graph.xy.size(), sink,
+         [&](std::size_t first, std::size_t last, std::vector<TriangleRecord>& records) {
+           for (std::size_t i = first; i < last; ++i) add(numbering.ascending[i], records);
+         });
+}
+
+/// All useful edges, to both ends: lists of (other end, order), by the numbers of the vertices.
+struct UsefulLists {
+  struct End {
+    Index to, order;
+  };
+  std::vector<std::size_t> first;
+  std::vector<End> ends;
+
+  std::span<const End> of(Index place) const {
+    return {ends.data() + first[place], ends.data() + first[place + 1]};
+  }
+};
+
+/// Lists by a vertex's place among the numbers; each list sorted, as the edges come sorted.
+UsefulLists useful_lists(const DelaunayGraph& graph, Index k, const Numbering& numbering,
+                         const std::vector<Index>& place_of_number) {
+  std::vector<EdgeRecord> edges;
+  for_each_edge(graph, EdgeClass::useful, k, numbering, [&](std::span<const EdgeRecord> piece) {
+    edges.insert(edges.end(), piece.begin(), piece.end());
+  });
+  UsefulLists lists;
+  lists.first.assign(graph.xy.size() + 1, 0);
+  for (const EdgeRecord& e : edges) {
+    ++lists.first[place_of_number[e.u] + 1];
+    ++lists.first[place_of_number[e.v] + 1];
+  }
+  for (std::size_t i = 1; i < lists.first.size(); ++i) lists.first[i] += lists.first[i - 1];
+  lists.ends.resize(lists.first.back());
+  std::vector<std::size_t> next(lists.first.begin(), lists.first.end() - 1);
+  for (const EdgeRecord& e : edges) lists.ends[next[place_of_number[e.v]]++] = {e.u, e.order};
+  for (const EdgeRecord& e : edges) lists.ends[next[place_of_number[e.u]]++] = {e.v, e.order};
+  return lists;
+}
+
+/// Valid triangles: three useful edges, and of what their circle holds nothing in the triangle.
+class ValidTriangles {
+ public:
+  ValidTriangles(const DelaunayGraph& graph, Index k, const Numbering& numbering)
+      : graph_(graph), k_(k), numbering_(numbering), place_of_number_(places(numbering)) {
+    lists_ = useful_lists(graph, k, numbering, place_of_number_);
+  }
+
+  void add(CircleCounter& counter, std::size_t place, std::vector<TriangleRecord>& records) const {
+    const VertexId u = numbering_.ascending[place];
+    const Index a = numbering_.number[u];
+    const auto from_u = lists_.of(Index(place));
+    for (const auto& [b, order_ab] : from_u) {
+      if (b < a) continue;
+      // The third corners: in both lists, above b.
+      auto x = from_u.begin();
+      for (const auto& [c, order_bc] : lists_.of(place_of_number_[b])) {
+        if (c < b) continue;
+        while (x != from_u.end() && x->to < c) ++x;
+        if (x == from_u.end()) break;
+        if (x->to != c) continue;
+        const VertexId v = vertex(b), w = vertex(c);
+        const Index inside = order_if_empty(counter, u, v, w);
+        if (inside <= k_)
+          records.push_back({a, b, c, std::max({inside, order_ab, order_bc, x->order})});
+      }
+    }
+  }
+
+ private:
+  static std::vector<Index> places(const Numbering& numbering) {
+    std::vector<Index> places(
+        numbering.ascending.empty() ? 0 : numbering.number[*(numbering.ascending.end() - 1)] + 1,
+        kNone);
+    for (Index i = 0; i < numbering.ascending.size(); ++i)
+      places[numbering.number[numbering.ascending[i]]] = i;
+    return places;
+  }
+  VertexId vertex(Index number) const { return numbering_.ascending[place_of_number_[number]]; }
+
+  /// The number of points inside the circle; more than k also if one of them is in the triangle, or
+  /// if there is no triangle. (Points on a side would be between the ends of a useful edge.)
+  Index order_if_empty(CircleCounter& counter, VertexId u, VertexId v, VertexId w) const {
+    const int turn = orient(graph_.point(u), graph_.point(v), graph_.point(w));
+    if (turn == 0) return k_ + 1;
+    if (turn < 0) std::swap(v, w);
+    const Index inside = counter.count(u, v, w, k_);
+    if (inside > k_) return inside;
+    const Point &a = graph_.point(u), &b = graph_.point(v), &c = graph_.point(w);
+    for (const VertexId p : counter.inside()) {
+      const Point& q = graph_.point(p);
+      if (orient(a, b, q) > 0 && orient(b, c, q) > 0 && orient(c, a, q) > 0) return k_ + 1;
+    }
+    return inside;
+  }
+
+  const DelaunayGraph& graph_;
+  const Index k_;
+  const Numbering& numbering_;
+  const std::vector<Index> place_of_number_;
+  UsefulLists lists_;
+};
+
+void for_each_valid_triangle(const DelaunayGraph& graph, Index k, const Numbering& numbering,
+                             const Sink& sink) {
+  const ValidTriangles triangles(graph, k, numbering);
+  PerThread<CircleCounter> counters([&] { return CircleCounter(graph); });
+  stream(graph.xy.size(), sink,
+         [&](std::size_t first, std::size_t last, std::vector<TriangleRecord>& records) {
+           CircleCounter& counter = counters.mine();
+           for (std::size_t i = first; i < last; ++i) triangles.add(counter, i, records);
+         });
+}
+
+}  // namespace
+
+void for_each_triangle(const DelaunayGraph& graph, TriangleClass triangle_class, Index k,
+                       const Numbering& numbering, const Sink& sink) {
+  if (triangle_class == TriangleClass::kod)
+    for_each_kod_triangle(graph, k, numbering, sink);
+  else
+    for_each_valid_triangle(graph, k, numbering, sink);
+}
+
+}  // namespace hodt

@@ -1,0 +1,20 @@
+#include "hodt/order/useful_edges.h"
+
+namespace hodt {
+
+std::optional<Index> UsefulEdgeSearch::useful_order(VertexId u, VertexId v, Index limit) {
+  const auto degree = [&](VertexId a) {
+    std::size_t count = 0;
+    graph_.for_each_neighbour(a, [&](VertexId) { ++count; });
+    return count;
+  };
+  if (degree(v) < degree(u)) std::swap(u, v);
+  bool is_delaunay = false;
+  graph_.for_each_neighbour(u, [&](VertexId w) { is_delaunay |= w == v; });
+  if (is_delaunay) return 0;
+  const auto& found = from(u, limit, [&](VertexId w) { return w == v; });
+  if (found.empty()) return std::nullopt;
+  return found.front().order;
+}
+
+}  // namespace hodt
