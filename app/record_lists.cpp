@@ -57,7 +57,7 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
     progress.report("reading");
     const PointSet points = read_points(arguments.input);
     progress.report("Delaunay triangulation");
-    const Delaunay triangulation = delaunay({points.xy, {}});
+    const Delaunay triangulation = delaunay(points);
     const std::size_t distinct = triangulation.vertices.size();
     DelaunayGraph graph(triangulation);
     graph.list_neighbours();

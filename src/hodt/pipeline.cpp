@@ -91,7 +91,8 @@ ExtremaSolution optimize(const DelaunayGraph& graph, const VertexSet& vertices,
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
 TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& options,
                        Report& report) {
-  const DelaunayGraph graph(delaunay);
+  DelaunayGraph graph(delaunay);
+  if (options.order > 1) graph.list_neighbours();
   ExtremaSolution solution = optimize(graph, delaunay.vertices, options);
   if (options.progress) options.progress("verification", -1);
   report.order_histogram = order_histogram(graph, solution.mesh);

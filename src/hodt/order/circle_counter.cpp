@@ -9,24 +9,27 @@ void CircleCounter::begin_round() {
   round_ = 1;
 }
 
-void CircleCounter::look_around(const Circle& circle, VertexId v, Index limit) {
-  graph_.for_each_neighbour(v, [&](VertexId w) {
-    if (inside_.size() <= limit && first_visit(w) && circle.contains(graph_.point(w)))
-      inside_.push_back(w);
-  });
-}
-
-Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
-                           std::span<const VertexId> inside) {
+Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit) {
   begin_round();
   // The three are on the circle: to ask would send each to exact arithmetic, for a known answer.
   for (const VertexId v : {a, b, c}) first_visit(v);
-  for (const VertexId v : inside)
-    if (inside_.size() <= limit && first_visit(v)) inside_.push_back(v);
   const Circle circle(graph_.point(a), graph_.point(b), graph_.point(c));
-  if (inside_.empty()) look_around(circle, a, limit);
+  const auto visit = [&](VertexId w) {
+    if (inside_.size() <= limit && first_visit(w) && circle.contains(graph_.point(w)))
+      inside_.push_back(w);
+  };
+  // Past hubs, if there is a corner that is none to begin with.
+  const VertexId start = !graph_.is_hub(a) ? a : !graph_.is_hub(b) ? b : c;
+  const bool around_hubs = graph_.has_hubs() && !graph_.is_hub(start);
+  const auto go_on_from = [&](VertexId v) {
+    if (!around_hubs)
+      graph_.for_each_neighbour(v, visit);
+    else if (!graph_.is_hub(v))
+      graph_.for_each_onward(v, visit);
+  };
+  go_on_from(start);
   for (std::size_t i = 0; i < inside_.size() && inside_.size() <= limit; ++i)
-    look_around(circle, inside_[i], limit);
+    go_on_from(inside_[i]);
   return static_cast<Index>(inside_.size());
 }
 

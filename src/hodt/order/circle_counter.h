@@ -22,10 +22,8 @@ class CircleCounter {
   explicit CircleCounter(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size(), 0) {}
 
   /// The number of points inside the circle through a, b and c (counter-clockwise), or limit + 1 if
-  /// there are more than `limit`: the order of the triangle abc. `inside` lists vertices that are
-  /// known to be inside, if any are; the search starts there, otherwise at a.
-  Index count(VertexId a, VertexId b, VertexId c, Index limit,
-              std::span<const VertexId> inside = {});
+  /// there are more than `limit`: the order of the triangle abc.
+  Index count(VertexId a, VertexId b, VertexId c, Index limit);
 
   /// The points that the last count found, at most limit + 1 of them.
   std::span<const VertexId> inside() const { return inside_; }
@@ -37,7 +35,6 @@ class CircleCounter {
     return true;
   }
   void begin_round();
-  void look_around(const Circle& circle, VertexId v, Index limit);
 
   const DelaunayGraph& graph_;
   Buffer<std::uint32_t> seen_;  // the round in which a vertex was last looked at

@@ -1,33 +1,128 @@
 #include "hodt/order/delaunay_graph.h"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
+#include <vector>
 
+#include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 
 namespace hodt {
 
+namespace {
+
+/// Random points never have so many neighbours; a search through a vertex that has costs its degree
+/// each time.
+constexpr Index kHubDegree = 128;
+
+using Edge = std::pair<VertexId, VertexId>;
+
+/// The Delaunay edges of the points that are no hubs; both directions.
+std::vector<Edge> edges_without(std::span<const Point> xy, const Buffer<bool>& hub) {
+  std::vector<VertexId> kept;
+  PointSet points;
+  for (Index v = 0; v < xy.size(); ++v)
+    if (!hub[v]) {
+      kept.push_back(VertexId(v));
+      points.xy.push_back(xy[v]);
+    }
+  std::vector<Edge> edges;
+  const auto add = [&](VertexId a, VertexId b) {
+    edges.emplace_back(a, b);
+    edges.emplace_back(b, a);
+  };
+  try {
+    const Delaunay rest = delaunay(points);
+    const auto kept_vertex = [&](VertexId v) { return kept[rest.vertices.row[v]]; };
+    for (Index i = 0; i < rest.mesh.halfedge_count(); ++i) {
+      const HalfEdgeId h(i);
+      if (rest.mesh.is_boundary(h) || h < rest.mesh.twin(h))
+        add(kept_vertex(rest.mesh.origin(h)), kept_vertex(rest.mesh.target(h)));
+    }
+  } catch (const InputError&) {  // what is left lies on a line: each is joined to the next
+    std::sort(kept.begin(), kept.end(),
+              [&](VertexId a, VertexId b) { return lexicographically_less(xy[a], xy[b]); });
+    for (std::size_t i = 1; i < kept.size(); ++i) add(kept[i - 1], kept[i]);
+  }
+  return edges;
+}
+
+}  // namespace
+
 void DelaunayGraph::list_neighbours() {
   constexpr std::size_t kGrain = 1 << 13;
   const std::size_t n = xy.size();
-  Buffer<Index> first(n + 1);
-  first[0] = 0;
+  Lists lists{Buffer<Index>(n + 1), {}};
+  lists.first[0] = 0;
   parallel_for(0, n, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       Index degree = 0;
       hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId) { ++degree; });
-      first[v + 1] = degree;
+      lists.first[v + 1] = degree;
     }
   });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  Buffer<VertexId> neighbours(first[n]);
+  const Index largest = *std::max_element(lists.first.begin(), lists.first.end());
+  std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+  lists.vertices = Buffer<VertexId>(lists.first[n]);
   parallel_for(0, n, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      Index next = first[v];
-      hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { neighbours[next++] = w; });
+      Index next = lists.first[v];
+      hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { lists.vertices[next++] = w; });
     }
   });
-  first_ = std::move(first);
-  neighbours_ = std::move(neighbours);
+  lists_ = std::move(lists);
+  if (largest > kHubDegree) route_around_hubs();
+}
+
+void DelaunayGraph::route_around_hubs() {
+  const std::size_t n = xy.size();
+  Buffer<bool> hub(n);
+  for (Index v = 0; v < n; ++v) hub[v] = lists_.first[v + 1] - lists_.first[v] > kHubDegree;
+  // Without the hubs others can turn into hubs.
+  std::vector<Edge> edges;
+  for (bool more = true; more;) {
+    edges = edges_without(xy, hub);
+    std::vector<Index> degree(n, 0);
+    for (const auto& [a, b] : edges) ++degree[a];
+    more = false;
+    for (Index v = 0; v < n; ++v)
+      if (degree[v] > kHubDegree) more = hub[v] = true;
+  }
+
+  // Hubs that neighbour each other are reached together.
+  std::vector<std::vector<VertexId>> joined(n);
+  std::vector<VertexId> group;
+  Buffer<bool> grouped(n, false);
+  for (Index v = 0; v < n; ++v) {
+    if (!hub[v] || grouped[v]) continue;
+    group.assign(1, VertexId(v));
+    grouped[v] = true;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      lists_.for_each(group[i], [&](VertexId w) {
+        if (!hub[w] || grouped[w]) return;
+        grouped[w] = true;
+        group.push_back(w);
+      });
+    for (const VertexId w : group) joined[w] = group;
+  }
+  for (Index v = 0; v < n; ++v) {
+    if (hub[v]) continue;
+    const std::size_t before = edges.size();
+    lists_.for_each(VertexId(v), [&](VertexId w) {
+      if (!hub[w]) return;
+      for (const VertexId other : joined[w]) edges.emplace_back(VertexId(v), other);
+    });
+    std::sort(edges.begin() + std::ptrdiff_t(before), edges.end());
+    edges.erase(std::unique(edges.begin() + std::ptrdiff_t(before), edges.end()), edges.end());
+  }
+
+  onward_ = {Buffer<Index>(n + 1, 0), Buffer<VertexId>(edges.size())};
+  for (const auto& [a, b] : edges) ++onward_.first[a + 1];
+  std::partial_sum(onward_.first.begin(), onward_.first.end(), onward_.first.begin());
+  std::vector<Index> next(onward_.first.begin(), onward_.first.end() - 1);
+  for (const auto& [a, b] : edges) onward_.vertices[next[a]++] = b;
+  hub_ = std::move(hub);
 }
 
 }  // namespace hodt

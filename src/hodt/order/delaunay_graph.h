@@ -18,7 +18,7 @@ class DelaunayGraph {
         outgoing(outgoing_halfedges(delaunay.mesh)) {}
 
   /// Stores every vertex's neighbours side by side, 28 bytes a point: worth it before questions
-  /// about most of the vertices. Changes no answer.
+  /// about most of the vertices, and where some have very many neighbours. Changes no answer.
   void list_neighbours();
 
   const Point& point(VertexId v) const { return xy[v]; }
@@ -26,8 +26,24 @@ class DelaunayGraph {
   /// Calls f(w) for every neighbour w of v, counter-clockwise.
   template <class F>
   void for_each_neighbour(VertexId v, const F& f) const {
-    if (first_.empty()) return hodt::for_each_neighbour(mesh, outgoing[v], f);
-    for (Index i = first_[v]; i < first_[v + 1]; ++i) f(neighbours_[i]);
+    if (lists_.first.empty()) return hodt::for_each_neighbour(mesh, outgoing[v], f);
+    lists_.for_each(v, f);
+  }
+
+  /// A vertex of so many neighbours that searches had better not go through it. None is known
+  /// before list_neighbours().
+  bool is_hub(VertexId v) const { return !hub_.empty() && hub_[v]; }
+  bool has_hubs() const { return !hub_.empty(); }
+
+  /// Calls f(w) for the vertices to go on to from v in a search for all points inside a circle: if
+  /// it starts at a point on the circle that is no hub, and goes on from all points inside but the
+  /// hubs, it finds all. Without hubs these are the neighbours. (Without the hubs' points, too, the
+  /// points inside a circle are connected in the Delaunay graph; and a hub inside is a neighbour of
+  /// another point inside.)
+  template <class F>
+  void for_each_onward(VertexId v, const F& f) const {
+    if (hub_.empty()) return for_each_neighbour(v, f);
+    onward_.for_each(v, f);
   }
 
   const std::span<const Point> xy;
@@ -35,8 +51,23 @@ class DelaunayGraph {
   const Buffer<HalfEdgeId> outgoing;  ///< as outgoing_halfedges gives it
 
  private:
-  Buffer<Index> first_;          // where each vertex's neighbours begin; empty without a list
-  Buffer<VertexId> neighbours_;  // of all vertices in turn
+  /// A list of vertices for every vertex, all in one array.
+  struct Lists {
+    Buffer<Index> first;  // where each list begins
+    Buffer<VertexId> vertices;
+
+    template <class F>
+    void for_each(VertexId v, const F& f) const {
+      const Index end = first[v + 1];
+      const VertexId* const list = vertices.data();
+      for (Index i = first[v]; i < end; ++i) f(list[i]);
+    }
+  };
+  void route_around_hubs();
+
+  Lists lists_;       // of neighbours; empty before list_neighbours()
+  Buffer<bool> hub_;  // empty if there are none
+  Lists onward_;      // empty likewise
 };
 
 }  // namespace hodt

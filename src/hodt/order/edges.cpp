@@ -5,6 +5,8 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/order/fixed_edges.h"
+#include "hodt/order/neighbourhood.h"
+#include "hodt/order/pencil.h"
 #include "hodt/order/useful_edges.h"
 
 namespace hodt {
@@ -22,8 +24,7 @@ class EdgesAt {
         numbering_(numbering),
         fixed_(fixed),
         useful_(graph),
-        around_(graph),
-        pencil_(around_) {}
+        around_(graph) {}
 
   /// Adds those from u to vertices of larger numbers, sorted.
   void add(VertexId u, std::vector<EdgeRecord>& records) {
@@ -41,7 +42,7 @@ class EdgesAt {
         around_.gather(u, k_);
         for (Index i = 0; i < around_.size(); ++i) {
           if (around_.least_order(i) > k_ || !is_larger(around_.vertex(i))) continue;
-          const Index order = pencil_.edge_order(i, k_);
+          const Index order = around_.pencil().edge_order(i, k_);
           if (order <= k_) record(around_.vertex(i), order);
         }
         break;
@@ -76,7 +77,6 @@ class EdgesAt {
   const Buffer<bool>& fixed_;
   UsefulEdgeSearch useful_;
   Neighbourhood around_;
-  Pencil pencil_;
 };
 
 }  // namespace

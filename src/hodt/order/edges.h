@@ -12,8 +12,9 @@ namespace hodt {
 enum class EdgeClass {
   useful,    ///< in some triangulation of order k; by useful order
   kod,       ///< with a circle through its ends that holds at most k points; by the fewest
-  fixed,     ///< useful, and crossed by no other useful edge: in every triangulation of order k
-  delaunay,  ///< in the triangulation of order 0
+  fixed,     ///< useful, and crossed by no other useful edge: in every triangulation of order k;
+             ///< all of useful order 0
+  delaunay,  ///< useful order 0, whatever k is
 };
 
 /// An edge by the numbers of its ends, u < v.
@@ -24,8 +25,9 @@ struct EdgeRecord {
 };
 
 /// Passes all edges of the class and of order at most k to the sink, in pieces, sorted by u and
-/// then v. Memory does not grow with their number (but for `fixed`: a byte a half-edge). The same
-/// pieces on any number of threads. Of a graph with listed neighbours it is faster.
+/// then v; a piece can be empty. Memory does not grow with their number (but for `fixed`: a byte a
+/// half-edge). The same pieces on any number of threads. Of a graph with listed neighbours it is
+/// faster.
 void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
                    const Numbering& numbering,
                    const std::function<void(std::span<const EdgeRecord>)>& sink);

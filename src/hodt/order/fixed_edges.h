@@ -16,7 +16,7 @@ Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k);
 /// The faces that the fixed edges cut the plane into, inside the hull. Each can be triangulated by
 /// itself. A face is a union of Delaunay triangles; where it is more than one, its boundary is an
 /// outer walk and, for each of its inner components, another one, or a single vertex that no fixed
-/// edge ends at.
+/// edge ends at. The graph and the flags must outlive it.
 class FixedFaces {
  public:
   FixedFaces(const DelaunayGraph& graph, const Buffer<bool>& fixed);
@@ -30,7 +30,7 @@ class FixedFaces {
   }
 
   /// One closed walk of the boundary: half-edges with the face on their left, each beginning where
-  /// the one before it ends.
+  /// the one before it ends, the first where the last does.
   using Walk = std::vector<HalfEdgeId>;
   struct Boundary {
     Walk outer;

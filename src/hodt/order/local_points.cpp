@@ -165,8 +165,8 @@ void LocalPoints::extend(Index size) {
   for (auto* array : {&xf_, &yf_, &rf_}) clear_from_begin(*array);
 }
 
-void LocalPoints::set_large(Index i, double x, double y) {
-  // In single precision it stays at u, which is never inside.
+/// In single precision it stays at u, which is never inside.
+void LocalPoints::set_double(Index i, double x, double y) {
   if (!(std::max(std::fabs(x), std::fabs(y)) < kMaxDouble)) {
     usable_ = false;
     return;

@@ -25,7 +25,7 @@ class LocalPoints {
     const double x = scale_ * offset.x, y = scale_ * offset.y;
     const double largest = std::max(std::fabs(x), std::fabs(y));
     if (!(largest < kMaxSingle)) [[unlikely]]
-      return set_large(i, x, y);
+      return set_double(i, x, y);
     x_[i] = x;
     y_[i] = y;
     r_[i] = x * x + y * y;
@@ -33,6 +33,10 @@ class LocalPoints {
     xf_[i] = xf;
     yf_[i] = yf;
     rf_[i] = xf * xf + yf * yf;
+  }
+  /// The same, but surely_inside() does not count it, and guess_firsts() does not see it.
+  void set_uncounted(Index i, const Point& offset) {
+    set_double(i, scale_ * offset.x, scale_ * offset.y);
   }
   Index size() const { return size_; }
 
@@ -64,7 +68,7 @@ class LocalPoints {
   /// Squares and products of what is below do not overflow.
   static constexpr double kMaxSingle = 0x1p+55, kMaxDouble = 0x1p+200;
 
-  void set_large(Index i, double x, double y);
+  void set_double(Index i, double x, double y);
 
   Index size_ = 0;
   double scale_ = 1;  // a power of two that brings coordinates close to 1

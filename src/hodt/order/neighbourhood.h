@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/local_points.h"
 
 namespace hodt {
+
+class Pencil;
 
 /// Gathers a set that holds at least all k-OD neighbours of u: the vertices v such that some circle
 /// through u and v has at most k points inside. That is enough to answer exactly, without a look
@@ -21,7 +24,11 @@ namespace hodt {
 /// docs/design/useful-edges.md proves it. Holds scratch memory for one thread.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size(), 0) {}
+  explicit Neighbourhood(const DelaunayGraph& graph);
+  ~Neighbourhood();
+  // The pencil refers to it.
+  Neighbourhood(const Neighbourhood&) = delete;
+  Neighbourhood& operator=(const Neighbourhood&) = delete;
 
   /// False if it took more than `effort` questions (one point against another); then the set is
   /// not complete.
@@ -32,14 +39,19 @@ class Neighbourhood {
   Index size() const { return size_; }
   VertexId vertex(Index i) const { return vertices_[i]; }
   const Point& point(Index i) const { return graph_.point(vertices_[i]); }
+  /// The place of v, or kNone.
+  Index find(VertexId v) const;
   /// The first so many are the Delaunay neighbours.
   Index degree() const { return degree_; }
   /// A proven lower bound of the order of the edge from u.
   Index least_order(Index i) const { return least_order_[i]; }
   const LocalPoints& points() const { return points_; }
+  /// The circles through u and one of the others.
+  Pencil& pencil() { return *pencil_; }
 
  private:
-  void add_neighbours_of(VertexId v);
+  template <class Search>
+  void take_up(const Search& search);
 
   const DelaunayGraph& graph_;
   VertexId centre_;
@@ -47,6 +59,7 @@ class Neighbourhood {
   std::vector<VertexId> vertices_;
   std::vector<Index> least_order_;
   LocalPoints points_;
+  std::unique_ptr<Pencil> pencil_;
   Buffer<std::uint32_t> seen_;  // the round in which a vertex was last taken up
   std::uint32_t round_ = 0;
 };

@@ -126,30 +126,41 @@ Index Pencil::useful_order_exactly(Index i, Index limit) const {
 Index Pencil::edge_order(Index i, Index limit) {
   if (i < around_.degree()) return 0;
   put_in_order(i);
-  if (between_count_ > 0) return limit + 1;
-  Index inside = right_count_, fewest = inside;
+  return between_count_ > 0 ? limit + 1 : std::min(fewest_inside(), limit + 1);
+}
+
+Index Pencil::least_order(Index i, std::size_t sample) {
+  put_in_order(i, sample);
+  return fewest_inside();
+}
+
+Index Pencil::fewest_inside() const {
+  Index inside = between_count_ + right_count_, fewest = inside;
   for (const Passed& passed : passed_) {
     inside += passed.on_left ? 1 : -1;
     fewest = std::min(fewest, inside);
   }
-  return std::min(fewest, limit + 1);
+  return fewest;
 }
 
-void Pencil::put_in_order(Index i) {
+void Pencil::put_in_order(Index i, std::size_t sample) {
   // Places are cotangents of the angle that u i is seen at; their rounding is less than `error`.
   constexpr double kSlack = 64 * 0x1p-53, kTiny = 1e-290;
   const Point &u = around_.graph().point(around_.centre()), &v = around_.point(i);
   const double qx = v.x - u.x, qy = v.y - u.y, qq = qx * qx + qy * qy;
   passed_.clear();
   right_count_ = between_count_ = 0;
+  Index left_count = 0;
   for (Index p = 0; p < around_.size(); ++p) {
+    if (left_count >= sample && right_count_ >= sample) break;
     if (p == i) continue;
     const int s = side_of(i, p);
     if (s == 0) {  // always inside, or never
       between_count_ += is_between(i, p);
       continue;
     }
-    right_count_ += s < 0;
+    if ((s > 0 ? left_count : right_count_) >= sample) continue;
+    ++(s > 0 ? left_count : right_count_);
     const double x = around_.point(p).x - u.x, y = around_.point(p).y - u.y, r = x * x + y * y;
     const double cross = qx * y - qy * x, place = (r - (qx * x + qy * y)) / cross;
     const double error = kSlack * ((qq + r) + kTiny) * (1 + std::fabs(place)) / std::fabs(cross);

@@ -1,6 +1,8 @@
 // The circles through two points: what they hold tells the order of the edge between.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "hodt/order/neighbourhood.h"
@@ -23,6 +25,10 @@ class Pencil {
   /// The order of that edge: the fewest points inside a circle through its ends; limit + 1 as
   /// above.
   Index edge_order(Index i, Index limit);
+
+  /// A lower bound of that order, also of a neighbourhood not yet complete: the order among at most
+  /// `sample` points on either side.
+  Index least_order(Index i, std::size_t sample);
 
   /// Calls f(j, order) for every triangle of the centre, vertex i and vertex j that has at most
   /// `limit` points inside its circle.
@@ -52,7 +58,8 @@ class Pencil {
 
   Index count_beyond(Index i, Index first, Side side, Index limit);
   Index useful_order_exactly(Index i, Index limit) const;
-  void put_in_order(Index i);
+  void put_in_order(Index i, std::size_t sample = std::numeric_limits<std::size_t>::max());
+  Index fewest_inside() const;
   bool is_passed_before(Index i, const Passed& p, const Passed& q) const;
   int side_of(Index i, Index p) const;
   bool is_between(Index i, Index p) const;

@@ -33,15 +33,9 @@ void stream(std::size_t n, const Sink& sink, const F& f) {
 /// k-OD triangles: from each vertex, those with the edges to its k-OD neighbours.
 void for_each_kod_triangle(const DelaunayGraph& graph, Index k, const Numbering& numbering,
                            const Sink& sink) {
-  struct Scratch {
-    explicit Scratch(const DelaunayGraph& g) : around(g), pencil(around) {}
-    Scratch(const Scratch&) = delete;
-    Neighbourhood around;
-    Pencil pencil;
-  };
-  PerThread<Scratch> scratch([&] { return Scratch(graph); });
+  PerThread<Neighbourhood> neighbourhoods([&] { return Neighbourhood(graph); });
   const auto add = [&](VertexId u, std::vector<TriangleRecord>& records) {
-    auto& [around, pencil] = scratch.mine();
+    Neighbourhood& around = neighbourhoods.mine();
     const std::size_t before = records.size();
     const auto number = [&](Index i) { return numbering.number[around.vertex(i)]; };
     const Index a = numbering.number[u];
@@ -49,7 +43,7 @@ void for_each_kod_triangle(const DelaunayGraph& graph, Index k, const Numbering&
     for (Index i = 0; i < around.size(); ++i) {
       const Index b = number(i);
       if (b < a || around.least_order(i) > k) continue;
-      pencil.for_each_triangle(i, k, [&](Index j, Index order) {
+      around.pencil().for_each_triangle(i, k, [&](Index j, Index order) {
         if (number(j) > b) records.push_back({a, b, number(j), order});
       });
     }

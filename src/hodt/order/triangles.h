@@ -27,8 +27,8 @@ struct TriangleRecord {
 };
 
 /// Passes all triangles of the class and of order at most k to the sink, in pieces, sorted by a, b
-/// and c. Memory does not grow with their number (but for `valid`: all useful edges). The same
-/// pieces on any number of threads.
+/// and c; a piece can be empty. Memory does not grow with their number (but for `valid`: all useful
+/// edges). The same pieces on any number of threads.
 void for_each_triangle(const DelaunayGraph& graph, TriangleClass triangle_class, Index k,
                        const Numbering& numbering,
                        const std::function<void(std::span<const TriangleRecord>)>& sink);

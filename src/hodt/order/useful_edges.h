@@ -23,12 +23,7 @@ struct UsefulEdge {
 /// thread. docs/design/useful-edges.md tells how it works and why it is exact.
 class UsefulEdgeSearch {
  public:
-  explicit UsefulEdgeSearch(const DelaunayGraph& graph)
-      : graph_(graph), around_(graph), pencil_(around_) {}
-
-  // The pencil refers to the neighbourhood beside it.
-  UsefulEdgeSearch(const UsefulEdgeSearch&) = delete;
-  UsefulEdgeSearch& operator=(const UsefulEdgeSearch&) = delete;
+  explicit UsefulEdgeSearch(const DelaunayGraph& graph) : graph_(graph), around_(graph) {}
 
   /// Lets a search give up, and find nothing, after so many questions (one point against another).
   /// For orders in the hundreds. complete() then tells.
@@ -36,7 +31,7 @@ class UsefulEdgeSearch {
   bool complete() const { return complete_; }
 
   /// The useful order of uv if it is within the limit and uv is an edge at all (no vertex lies
-  /// between its ends).
+  /// between its ends); 0 for Delaunay edges. Requires u != v.
   std::optional<Index> useful_order(VertexId u, VertexId v, Index limit);
 
   /// All edges from u of useful order 1 to `limit` whose other end `wanted` accepts; sorted by
@@ -48,7 +43,7 @@ class UsefulEdgeSearch {
     if (limit == 1)
       across_one_edge(u, wanted);
     else if (limit > 1)
-      in_neighbourhood(u, limit, wanted);
+      beyond_one_edge(u, limit, wanted);
     std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
       return a.order != b.order ? a.order < b.order : a.to < b.to;
     });
@@ -68,23 +63,61 @@ class UsefulEdgeSearch {
   }
 
   template <class Wanted>
-  void in_neighbourhood(VertexId u, Index limit, const Wanted& wanted) {
+  void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted) {
+    // A hub has too many around it to compare them all with each other.
+    if (graph_.is_hub(u)) return from_others(u, limit, wanted);
     complete_ = around_.gather(u, limit, effort_);
-    if (!complete_) return;
+    if (complete_) among_gathered(limit, wanted);
+  }
+
+  template <class Wanted>
+  void among_gathered(Index limit, const Wanted& wanted) {
     for (Index i = around_.degree(); i < around_.size(); ++i) {
       const VertexId v = around_.vertex(i);
-      if (around_.least_order(i) > limit || !wanted(v)) continue;
-      const Index order = pencil_.useful_order(i, limit);
-      if (order <= limit) found_.push_back({v, order});
+      if (around_.least_order(i) <= limit && wanted(v)) add_if_useful(i, v, limit);
     }
   }
 
+  /// Each of the others finds the edge to the hub u among its own.
+  template <class Wanted>
+  void from_others(VertexId u, Index limit, const Wanted& wanted) {
+    bool other_hubs = false;
+    begin_visit(u);
+    for (std::size_t next = 0; next < visit_.size(); ++next) {
+      const VertexId v = visit_[next];
+      if (graph_.is_hub(v)) {
+        other_hubs |= v != u;
+        graph_.for_each_neighbour(v, [&](VertexId w) { visit(w); });
+        continue;
+      }
+      complete_ = around_.gather(v, limit, effort_);
+      if (!complete_) return found_.clear();
+      const Index i = around_.find(u);
+      if (i == kNone) continue;
+      if (i >= around_.degree() && wanted(v)) add_if_useful(i, v, limit);
+      if (around_.pencil().edge_order(i, limit) < limit)
+        graph_.for_each_onward(v, [&](VertexId w) { visit(w); });
+    }
+    if (!other_hubs) return;
+    complete_ = around_.gather(u, limit, effort_);
+    if (!complete_) return found_.clear();
+    among_gathered(limit, [&](VertexId v) { return graph_.is_hub(v) && wanted(v); });
+  }
+
+  void add_if_useful(Index i, VertexId v, Index limit) {
+    const Index order = around_.pencil().useful_order(i, limit);
+    if (order <= limit) found_.push_back({v, order});
+  }
+  void begin_visit(VertexId first);
+  void visit(VertexId v);
+
   const DelaunayGraph& graph_;
   Neighbourhood around_;
-  Pencil pencil_;
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();
   bool complete_ = true;
   std::vector<UsefulEdge> found_;
+  std::vector<VertexId> visit_;  // to be visited from a hub, and visited
+  std::vector<bool> is_visited_;
 };
 
 }  // namespace hodt
