@@ -92,7 +92,7 @@ ExtremaSolution optimize(const DelaunayGraph& graph, const VertexSet& vertices,
 TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& options,
                        Report& report) {
   DelaunayGraph graph(delaunay);
-  if (options.order > 1) graph.list_neighbours();
+  if (options.order > 1) graph.list_neighbours_if_hubs();
   ExtremaSolution solution = optimize(graph, delaunay.vertices, options);
   if (options.progress) options.progress("verification", -1);
   report.order_histogram = order_histogram(graph, solution.mesh);

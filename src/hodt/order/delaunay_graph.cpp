@@ -75,6 +75,12 @@ void DelaunayGraph::list_neighbours() {
   if (largest > kHubDegree) route_around_hubs();
 }
 
+void DelaunayGraph::list_neighbours_if_hubs() {
+  Buffer<Index> degree(xy.size(), 1);  // at the boundary there is one neighbour more than triangles
+  for (const Index v : mesh.origins()) ++degree[v];
+  if (*std::max_element(degree.begin(), degree.end()) > kHubDegree) list_neighbours();
+}
+
 void DelaunayGraph::route_around_hubs() {
   const std::size_t n = xy.size();
   Buffer<bool> hub(n);

@@ -18,8 +18,10 @@ class DelaunayGraph {
         outgoing(outgoing_halfedges(delaunay.mesh)) {}
 
   /// Stores every vertex's neighbours side by side, 28 bytes a point: worth it before questions
-  /// about most of the vertices, and where some have very many neighbours. Changes no answer.
+  /// about most of the vertices. Finds hubs. Changes no answer.
   void list_neighbours();
+  /// Does so if some vertex has very many neighbours. For questions about a few of the vertices.
+  void list_neighbours_if_hubs();
 
   const Point& point(VertexId v) const { return xy[v]; }
 

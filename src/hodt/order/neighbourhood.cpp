@@ -45,7 +45,7 @@ bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
   for (Index i = 0; i < degree_; ++i) go_on_from(vertices_[i]);
   // Where many points are close to one circle, rounding leaves them all in doubt, and no bound is
   // found. That shows in the size, and exact arithmetic helps.
-  const std::size_t crowd = 24 + 12 * std::size_t{k}, sample = 8 + 3 * std::size_t{k};
+  const std::size_t crowd = 40 + 16 * std::size_t{k}, sample = 8 + 3 * std::size_t{k};
   constexpr std::size_t kExactCost = 100;
   const Index unasked = k >= 4 && size_ <= crowd ? size_ : degree_;
   least_order_.assign(unasked, 0);

@@ -1,0 +1,98 @@
+// All useful edges up to order k, the Delaunay triangulation given, against CGAL's plain range
+// insertion of the same points, run in turn.
+//
+//   useful_edges_vs_cgal [-n 1000000] [--runs 3] [--threads 1]
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "cgal_route.h"
+#include "duel.h"
+
+#include "hodt/base/parallel.h"
+#include "hodt/order/edges.h"
+
+namespace {
+
+using Points = std::vector<hodt::Point>;
+
+Points uniform(std::size_t n) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  Points points(n);
+  for (hodt::Point& p : points) p = {unit(random), unit(random)};
+  return points;
+}
+
+Points lattice(std::size_t n) {
+  const auto side = static_cast<std::size_t>(std::sqrt(double(n)));
+  Points points;
+  for (std::size_t i = 0; i < side * side; ++i)
+    points.push_back({double(i % side), double(i / side)});
+  return points;
+}
+
+/// Normal clouds of very different sizes.
+Points clustered(std::size_t n) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::normal_distribution<double> normal;
+  struct Cloud {
+    double x, y, size;
+  };
+  std::vector<Cloud> clouds;
+  for (int i = 0; i < 40; ++i)
+    clouds.push_back({unit(random), unit(random), std::pow(10, -4 * unit(random))});
+  Points points(n);
+  for (hodt::Point& p : points) {
+    const Cloud& cloud = clouds[random() % clouds.size()];
+    p = {cloud.x + cloud.size * normal(random), cloud.y + cloud.size * normal(random)};
+  }
+  return points;
+}
+
+double cgal_seconds(const Points& points) {
+  std::vector<cgal_route::Kernel::Point_2> input;
+  for (const hodt::Point& p : points) input.emplace_back(p.x, p.y);
+  return duel::seconds([&] {
+    CGAL::Delaunay_triangulation_2<cgal_route::Kernel> t;
+    t.insert(input.begin(), input.end());
+  });
+}
+
+void run(const std::string& name, const Points& points, std::size_t runs) {
+  const hodt::Delaunay delaunay = hodt::delaunay({points, {}});
+  const hodt::Numbering numbering = hodt::own_numbering(delaunay.vertices.size());
+  for (const hodt::Index k : {1, 2, 4, 8}) {
+    std::vector<double> seconds, ratios;
+    std::size_t edges = 0;
+    for (std::size_t i = 0; i < runs; ++i) {
+      const double peer = cgal_seconds(points);
+      edges = 0;
+      seconds.push_back(duel::seconds([&] {
+        hodt::DelaunayGraph graph(delaunay);
+        if (k > 1) graph.list_neighbours();
+        hodt::for_each_edge(
+            graph, hodt::EdgeClass::useful, k, numbering,
+            [&](std::span<const hodt::EdgeRecord> piece) { edges += piece.size(); });
+      }));
+      ratios.push_back(seconds.back() / peer);
+    }
+    std::printf("%-9s k = %u: %.3f edges a point, %.3f us a point, %.2f x CGAL\n", name.c_str(), k,
+                double(edges) / double(points.size()),
+                1e6 * duel::median(seconds) / double(points.size()), duel::median(ratios));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t n = duel::option(argc, argv, "-n", 1000000);
+  const std::size_t runs = duel::option(argc, argv, "--runs", 3);
+  const hodt::ThreadLimit limit(duel::option(argc, argv, "--threads", 1));
+  run("uniform", uniform(n), runs);
+  run("lattice", lattice(n), runs);
+  run("clustered", clustered(n), runs);
+}
