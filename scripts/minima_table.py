@@ -12,7 +12,7 @@ import pathlib
 import subprocess
 import tempfile
 
-ORDERS = [0, 1, 2, 3, 4, 6, 8, 12, 16, 24]
+ORDERS = [0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 48, 96]
 
 
 def run(hodt, points, order, folder):

@@ -172,10 +172,8 @@ void Remover::search_up_to(UsefulEdgeSearch& search, Target& target, Index order
   const auto wanted = [&](VertexId v) { return heights_.removes(v, target.vertex, target.kind); };
   search.limit_effort(kEffort);
   const auto& found = search.from(target.vertex, order, wanted);
-  if (!search.complete()) {  // what was known before may be missing: add only what is new
+  if (!search.complete()) {
     target.given_up = true;
-    for (const UsefulEdge& edge : found)
-      if (edge.order > target.searched) target.edges.push_back(edge);
     return;
   }
   target.searched = order;
