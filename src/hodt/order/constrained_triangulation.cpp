@@ -118,6 +118,15 @@ bool ConstrainedTriangulation::lock(VertexId owner, VertexId to) {
   return true;
 }
 
+bool ConstrainedTriangulation::lock_for_good(VertexId a, VertexId b) {
+  cavity_.clear();
+  hull_was_original_ = true;
+  if (!find_edge(a, b).valid() && !cross_out(a, b)) return false;
+  for_good_.insert(std::minmax<Index>(a, b));
+  commit();
+  return true;
+}
+
 /// Removes the crossed triangles and triangulates both sides of the segment.
 bool ConstrainedTriangulation::cross_out(VertexId from, VertexId to) {
   left_.clear();

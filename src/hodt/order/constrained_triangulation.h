@@ -1,9 +1,12 @@
 // A triangulation with chosen edges, and Delaunay apart from them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "hodt/order/delaunay_graph.h"
@@ -15,7 +18,8 @@ namespace hodt {
 /// as the Delaunay triangulation. Locking one useful edge gives exactly the paper's greedy
 /// triangulation of its hull.
 ///
-/// Each locked edge belongs to one of its ends, its owner, and a vertex owns at most one.
+/// Each locked edge belongs to one of its ends, its owner, and a vertex owns at most one; or it is
+/// locked for good.
 class ConstrainedTriangulation {
  public:
   explicit ConstrainedTriangulation(const DelaunayGraph& delaunay);
@@ -28,6 +32,10 @@ class ConstrainedTriangulation {
   /// locked edge and that no vertex lies on the segment.
   bool lock(VertexId owner, VertexId to);
 
+  /// Locks an edge that nobody owns, for good: it is not released, and undoing what was done before
+  /// is no longer possible. Otherwise as lock(); any number of them may end at a vertex.
+  bool lock_for_good(VertexId a, VertexId b);
+
   /// Whether the hull of the edge that was locked last consisted of Delaunay triangles in their
   /// place. Then no new triangle has an order above the edge's useful order (Lemma 4).
   bool last_hull_was_original() const { return hull_was_original_; }
@@ -36,7 +44,10 @@ class ConstrainedTriangulation {
   void release(VertexId owner);
 
   bool owns_locked_edge(VertexId v) const { return partner_[v] != kNone; }
-  bool is_locked(VertexId a, VertexId b) const { return partner_[a] == b || partner_[b] == a; }
+  bool is_locked(VertexId a, VertexId b) const {
+    return partner_[a] == b || partner_[b] == a ||
+           (!for_good_.empty() && for_good_.contains(std::minmax<Index>(a, b)));
+  }
 
   /// The owners of the locked edges that the segment crosses, in order along it.
   void owners_crossed(VertexId from, VertexId to, std::vector<VertexId>& owners) const;
@@ -85,6 +96,7 @@ class ConstrainedTriangulation {
   TriangleMesh mesh_;
   Buffer<Index> outgoing_;  // as outgoing_halfedges gives it
   Buffer<Index> partner_;   // the other end of the edge that a vertex owns, or kNone
+  std::set<std::pair<Index, Index>> for_good_;  // locked edges without an owner
   std::vector<Write> log_;
 
   // Scratch of lock().
