@@ -46,7 +46,8 @@ class PerThread {
   T& local() {
     const std::lock_guard lock(mutex_);
     std::unique_ptr<T>& value = values_[std::this_thread::get_id()];
-    if (!value) value = std::make_unique<T>(make_());
+    // In place, not by make_unique: a T need not be movable.
+    if (!value) value = std::unique_ptr<T>(new T(make_()));
     return *value;
   }
 
