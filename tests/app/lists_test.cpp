@@ -1,23 +1,20 @@
 // hodt edges and hodt triangles as users see them.
 #include <algorithm>
-#include <cstdlib>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "../io/temporary_directory.h"
+#include "command_fixture.h"
 #include "families.h"
 #include "oracle.h"
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 namespace hodt {
 namespace {
 
 using test::content_of;
-using test::TemporaryDirectory;
 
 /// The words with spaces between them.
 std::string words(std::initializer_list<std::string_view> list) {
@@ -26,19 +23,15 @@ std::string words(std::initializer_list<std::string_view> list) {
   return line;
 }
 
-class ListCommand : public testing::Test {
+class ListCommand : public test::CommandTest {
  protected:
   /// Runs the command in the directory; returns its exit code.
   int run(const std::string& arguments, const std::string& input = "/dev/null",
           const std::string& before = "") {
-    const std::string line = "cd '" + directory_.path().string() + "' && " + before +
-                             " " HODT_COMMAND " " + arguments + " <'" + input + "' >'" +
-                             (streams_ / "out").string() + "' 2>'" + (streams_ / "err").string() +
-                             "'";
-    const int status = std::system(line.c_str());
-    out_ = content_of(streams_ / "out");
-    err_ = content_of(streams_ / "err");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const test::Outcome outcome = shell(before + " HODT " + arguments + " <'" + input + "'");
+    out_ = outcome.out;
+    err_ = outcome.err;
+    return outcome.exit_code;
   }
 
   /// What the command writes to a file.
@@ -48,22 +41,13 @@ class ListCommand : public testing::Test {
     return content_of(directory_ / "list.csv");
   }
 
-  /// Exit code 2 and one line that contains `message`; no file comes, and "kept.csv" stays as it
-  /// is.
+  /// Refused, and "kept.csv" stays as it is.
   void expect_refused(const std::string& arguments, const std::string& message) {
-    directory_.file("kept.csv", "an existing output");
-    const std::size_t entries = directory_.entries();
-    EXPECT_EQ(run(arguments), 2) << arguments;
-    EXPECT_EQ(out_, "") << arguments;
-    EXPECT_TRUE(err_.starts_with("hodt: ")) << err_;
-    EXPECT_EQ(err_.find('\n'), err_.size() - 1) << err_;
-    EXPECT_NE(err_.find(message), std::string::npos) << arguments << ": " << err_;
-    EXPECT_EQ(directory_.entries(), entries) << arguments;
+    put("kept.csv", "an existing output");
+    CommandTest::expect_refused(arguments, message);
     EXPECT_EQ(content_of(directory_ / "kept.csv"), "an existing output") << arguments;
   }
 
-  TemporaryDirectory directory_;
-  TemporaryDirectory streams_;
   std::string out_, err_;
 };
 

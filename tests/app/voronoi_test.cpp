@@ -1,47 +1,34 @@
 // hodt voronoi as users see it.
-#include <cstdlib>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "../io/temporary_directory.h"
+#include "command_fixture.h"
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
 namespace hodt {
 namespace {
 
 using test::content_of;
-using test::TemporaryDirectory;
-using Json = nlohmann::json;
+using test::Json;
 
-class VoronoiCommand : public testing::Test {
+class VoronoiCommand : public test::CommandTest {
  protected:
   /// Runs the command in the directory; returns its exit code.
   int run(const std::string& arguments, const std::string& input = "/dev/null") {
-    const std::string line = "cd '" + directory_.path().string() +
-                             "' && " HODT_COMMAND " voronoi " + arguments + " <" + input +
-                             " >out 2>err";
-    const int status = std::system(line.c_str());
-    out_ = content_of(directory_ / "out");
-    err_ = content_of(directory_ / "err");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const test::Outcome outcome = shell("HODT voronoi " + arguments + " <" + input);
+    out_ = outcome.out;
+    err_ = outcome.err;
+    return outcome.exit_code;
   }
-  Json json(const std::string& name) const { return Json::parse(content_of(directory_ / name)); }
 
-  /// Exit code 2 and one line that contains `message`; "kept" stays as it is.
+  /// Refused, and "kept" stays as it is.
   void expect_refused(const std::string& arguments, const std::string& message) {
-    directory_.file("kept", "an existing output");
-    EXPECT_EQ(run(arguments), 2) << arguments;
-    EXPECT_EQ(out_, "") << arguments;
-    EXPECT_TRUE(err_.starts_with("hodt: ")) << err_;
-    EXPECT_EQ(err_.find('\n'), err_.size() - 1) << err_;
-    EXPECT_NE(err_.find(message), std::string::npos) << arguments << ": " << err_;
+    put("kept", "an existing output");
+    CommandTest::expect_refused("voronoi " + arguments, message);
     EXPECT_EQ(content_of(directory_ / "kept"), "an existing output");
   }
 
-  TemporaryDirectory directory_;
   std::string out_, err_;
 };
 
