@@ -4,34 +4,17 @@
 //
 // Both sides start from coordinates in input order and end with the triangles and neighbours in
 // input numbering (cgal_route.h says how CGAL gets there).
-#include <cmath>
 #include <cstdio>
-#include <random>
 #include <vector>
 
 #include "cgal_route.h"
 #include "duel.h"
+#include "point_sets.h"
 
 #include "hodt/base/parallel.h"
 #include "hodt/delaunay/delaunay.h"
 
 namespace {
-
-std::vector<hodt::Point> uniform(std::size_t n) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<hodt::Point> points(n);
-  for (auto& p : points) p = {unit(random), unit(random)};
-  return points;
-}
-
-std::vector<hodt::Point> lattice(std::size_t n) {
-  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
-  std::vector<hodt::Point> points;
-  for (std::size_t y = 0; y < side; ++y)
-    for (std::size_t x = 0; x < side; ++x) points.push_back({double(x), double(y)});
-  return points;
-}
 
 void run(const char* name, std::vector<hodt::Point> points, std::size_t runs) {
   const hodt::PointSet set{std::move(points), {}};
@@ -68,6 +51,6 @@ void run(const char* name, std::vector<hodt::Point> points, std::size_t runs) {
 int main(int argc, char** argv) {
   const std::size_t n = duel::option(argc, argv, "-n", 1000000);
   const std::size_t runs = duel::option(argc, argv, "--runs", 5);
-  run("uniform", uniform(n), runs);
-  run("lattice", lattice(n), runs);
+  run("uniform", point_sets::uniform(n), runs);
+  run("lattice", point_sets::lattice(n), runs);
 }

@@ -2,14 +2,13 @@
 // insertion of the same points, run in turn.
 //
 //   useful_edges_vs_cgal [-n 1000000] [--runs 3] [--threads 1]
-#include <cmath>
 #include <cstdio>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "cgal_route.h"
 #include "duel.h"
+#include "point_sets.h"
 
 #include "hodt/base/parallel.h"
 #include "hodt/order/edges.h"
@@ -17,41 +16,6 @@
 namespace {
 
 using Points = std::vector<hodt::Point>;
-
-Points uniform(std::size_t n) {
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> unit(0, 1);
-  Points points(n);
-  for (hodt::Point& p : points) p = {unit(random), unit(random)};
-  return points;
-}
-
-Points lattice(std::size_t n) {
-  const auto side = static_cast<std::size_t>(std::sqrt(double(n)));
-  Points points;
-  for (std::size_t i = 0; i < side * side; ++i)
-    points.push_back({double(i % side), double(i / side)});
-  return points;
-}
-
-/// Normal clouds of very different sizes.
-Points clustered(std::size_t n) {
-  std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::normal_distribution<double> normal;
-  struct Cloud {
-    double x, y, size;
-  };
-  std::vector<Cloud> clouds;
-  for (int i = 0; i < 40; ++i)
-    clouds.push_back({unit(random), unit(random), std::pow(10, -4 * unit(random))});
-  Points points(n);
-  for (hodt::Point& p : points) {
-    const Cloud& cloud = clouds[random() % clouds.size()];
-    p = {cloud.x + cloud.size * normal(random), cloud.y + cloud.size * normal(random)};
-  }
-  return points;
-}
 
 double cgal_seconds(const Points& points) {
   std::vector<cgal_route::Kernel::Point_2> input;
@@ -92,7 +56,7 @@ int main(int argc, char** argv) {
   const std::size_t n = duel::option(argc, argv, "-n", 1000000);
   const std::size_t runs = duel::option(argc, argv, "--runs", 3);
   const hodt::ThreadLimit limit(duel::option(argc, argv, "--threads", 1));
-  run("uniform", uniform(n), runs);
-  run("lattice", lattice(n), runs);
-  run("clustered", clustered(n), runs);
+  run("uniform", point_sets::uniform(n), runs);
+  run("lattice", point_sets::lattice(n), runs);
+  run("clustered", point_sets::clustered(n), runs);
 }

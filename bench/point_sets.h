@@ -1,0 +1,48 @@
+// Point sets to time on: the same on every run.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include "hodt/geometry/point.h"
+
+namespace point_sets {
+
+inline std::vector<hodt::Point> uniform(std::size_t n) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<hodt::Point> points(n);
+  for (auto& p : points) p = {unit(random), unit(random)};
+  return points;
+}
+
+inline std::vector<hodt::Point> lattice(std::size_t n) {
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
+  std::vector<hodt::Point> points;
+  for (std::size_t y = 0; y < side; ++y)
+    for (std::size_t x = 0; x < side; ++x) points.push_back({double(x), double(y)});
+  return points;
+}
+
+/// Normal clouds of very different sizes.
+inline std::vector<hodt::Point> clustered(std::size_t n) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::normal_distribution<double> normal;
+  struct Cloud {
+    double x, y, size;
+  };
+  std::vector<Cloud> clouds;
+  for (int i = 0; i < 40; ++i)
+    clouds.push_back({unit(random), unit(random), std::pow(10, -4 * unit(random))});
+  std::vector<hodt::Point> points(n);
+  for (hodt::Point& p : points) {
+    const Cloud& cloud = clouds[random() % clouds.size()];
+    p = {cloud.x + cloud.size * normal(random), cloud.y + cloud.size * normal(random)};
+  }
+  return points;
+}
+
+}  // namespace point_sets
