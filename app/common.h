@@ -52,6 +52,9 @@ Index parse_order(const std::string& text);
 /// Seconds from --time-limit's text; empty is 0. Throws ParameterError.
 double parse_seconds(const std::string& text);
 
+/// The positional INPUT of a command that reads points.
+void add_points_input(CLI::App& command, std::string& input);
+
 /// The option --threads, as text, with its description.
 void add_threads(CLI::App& command, std::string& threads);
 /// Its value for ThreadLimit.

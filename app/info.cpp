@@ -123,10 +123,7 @@ int run(const Arguments& arguments) {
 void add_info(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("info", "Say what is in a file of points");
-  command
-      .add_option("INPUT", arguments->input,
-                  "Points: CSV, TSV or XYZ, also .gz; - is standard input")
-      ->required();
+  add_points_input(command, arguments->input);
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write the findings as JSON; - is standard output")
       ->type_name("FILE");

@@ -10,10 +10,7 @@
 namespace hodt::app {
 
 void add_list_options(CLI::App& command, ListArguments& arguments, const std::string& classes) {
-  command
-      .add_option("INPUT", arguments.input,
-                  "Points: CSV, TSV or XYZ, also .gz; - is standard input")
-      ->required();
+  add_points_input(command, arguments.input);
   command.add_option("-k,--order", arguments.order, "The largest order to list (default: 4)")
       ->type_name("K");
   command.add_option("--class", arguments.list_class, classes)->type_name("CLASS");
@@ -32,8 +29,7 @@ CsvLines::CsvLines(OutputFile& file, std::string_view header) : file_(file), tex
 void CsvLines::add(std::span<const Index> numbers) {
   constexpr std::size_t kPiece = 1 << 20;
   for (const Index number : numbers) {
-    char digits[kLongestNumber];
-    text_.append(digits, format_number(digits, number));
+    append_number(text_, number);
     text_ += ',';
   }
   text_.back() = '\n';

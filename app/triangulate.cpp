@@ -141,10 +141,7 @@ void add_triangulate(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App& command =
       *app.add_subcommand("triangulate", "Triangulate points, with low order and few pits");
-  command
-      .add_option("INPUT", arguments->input,
-                  "Points: CSV, TSV or XYZ, also .gz; - is standard input")
-      ->required();
+  add_points_input(command, arguments->input);
   command.add_option("-o,--output", arguments->output, "Mesh to write: .obj or .ply")
       ->required()
       ->type_name("OUTPUT");

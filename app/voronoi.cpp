@@ -106,10 +106,7 @@ void add_voronoi(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App& command =
       *app.add_subcommand("voronoi", "Divide the plane by which m points are nearest");
-  command
-      .add_option("INPUT", arguments->input,
-                  "Points: CSV, TSV or XYZ, also .gz; - is standard input")
-      ->required();
+  add_points_input(command, arguments->input);
   command.add_option("-m,--order", arguments->order, "How many nearest points; 1 is Voronoi")
       ->required()
       ->type_name("M");

@@ -11,12 +11,6 @@ namespace hodt {
 
 namespace {
 
-template <class Number>
-void append_number(std::string& text, Number number) {
-  char digits[kLongestNumber];
-  text.append(digits, format_number(digits, number));
-}
-
 void append_position(std::string& text, const Point& p) {
   text += '[';
   append_number(text, p.x);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <string>
 
 namespace hodt {
 
@@ -12,6 +13,12 @@ inline constexpr int kLongestNumber = 32;
 /// Writes the shortest text that reads back as the same value; returns its end.
 char* format_number(char* to, double value);
 char* format_number(char* to, std::uint32_t value);
+
+template <class Number>
+void append_number(std::string& text, Number number) {
+  char digits[kLongestNumber];
+  text.append(digits, format_number(digits, number));
+}
 
 namespace number_text {
 
