@@ -62,6 +62,15 @@ std::vector<T> parallel_collect(std::size_t begin, std::size_t end, std::size_t 
   return all;
 }
 
+/// The same passed to `sink` in pieces of the result, each of `batch` elements of [begin, end):
+/// only one is in memory at a time.
+template <class T, class F, class Sink>
+void parallel_stream(std::size_t begin, std::size_t end, std::size_t batch, std::size_t grain,
+                     const F& f, const Sink& sink) {
+  for (; begin < end; begin += batch)
+    sink(parallel_collect<T>(begin, std::min(end, begin + batch), grain, f));
+}
+
 /// Runs f() and g(), possibly at the same time.
 template <class F, class G>
 void parallel_invoke(const F& f, const G& g) {

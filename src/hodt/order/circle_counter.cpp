@@ -20,13 +20,7 @@ Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit) {
   };
   // Past hubs, if there is a corner that is none to begin with.
   const VertexId start = !graph_.is_hub(a) ? a : !graph_.is_hub(b) ? b : c;
-  const bool around_hubs = graph_.has_hubs() && !graph_.is_hub(start);
-  const auto go_on_from = [&](VertexId v) {
-    if (!around_hubs)
-      graph_.for_each_neighbour(v, visit);
-    else if (!graph_.is_hub(v))
-      graph_.for_each_onward(v, visit);
-  };
+  const auto go_on_from = [&](VertexId v) { graph_.for_each_onward(v, start, visit); };
   go_on_from(start);
   for (std::size_t i = 0; i < inside_.size() && inside_.size() <= limit; ++i)
     go_on_from(inside_[i]);

@@ -111,20 +111,23 @@ void ConstrainedTriangulation::owners_crossed(VertexId from, VertexId to,
 // ---- Locking: the triangles that the segment crosses make way. ----
 
 bool ConstrainedTriangulation::lock(VertexId owner, VertexId to) {
-  cavity_.clear();
-  hull_was_original_ = true;
-  if (!find_edge(owner, to).valid() && !cross_out(owner, to)) return false;
+  if (!bring_in(owner, to)) return false;
   write(Field::partner, owner, to);
   return true;
 }
 
 bool ConstrainedTriangulation::lock_for_good(VertexId a, VertexId b) {
-  cavity_.clear();
-  hull_was_original_ = true;
-  if (!find_edge(a, b).valid() && !cross_out(a, b)) return false;
+  if (!bring_in(a, b)) return false;
   for_good_.insert(std::minmax<Index>(a, b));
   commit();
   return true;
+}
+
+/// Makes the segment an edge; false, and nothing changed, if it would cross a locked one.
+bool ConstrainedTriangulation::bring_in(VertexId from, VertexId to) {
+  cavity_.clear();
+  hull_was_original_ = true;
+  return find_edge(from, to).valid() || cross_out(from, to);
 }
 
 /// Removes the crossed triangles and triangulates both sides of the segment.

@@ -86,6 +86,7 @@ class ConstrainedTriangulation {
   void set_triangle(TriangleId t, VertexId a, VertexId b, VertexId c);
   void keep_outgoing_valid(TriangleId t);
   HalfEdgeId find_edge(VertexId from, VertexId to) const;
+  bool bring_in(VertexId from, VertexId to);
   bool cross_out(VertexId from, VertexId to);
   HalfEdgeId triangulate_beside(Chain& chain, Index first, Index last);
   void flip(HalfEdgeId h);

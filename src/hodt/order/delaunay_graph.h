@@ -32,19 +32,26 @@ class DelaunayGraph {
     lists_.for_each(v, f);
   }
 
+  bool has_edge(VertexId u, VertexId v) const {
+    bool found = false;
+    for_each_neighbour(u, [&](VertexId w) { found |= w == v; });
+    return found;
+  }
+
   /// A vertex of so many neighbours that searches had better not go through it. None is known
   /// before list_neighbours().
   bool is_hub(VertexId v) const { return !hub_.empty() && hub_[v]; }
   bool has_hubs() const { return !hub_.empty(); }
 
-  /// Calls f(w) for the vertices to go on to from v in a search for all points inside a circle: if
-  /// it starts at a point on the circle that is no hub, and goes on from all points inside but the
-  /// hubs, it finds all. Without hubs these are the neighbours. (Without the hubs' points, too, the
-  /// points inside a circle are connected in the Delaunay graph; and a hub inside is a neighbour of
-  /// another point inside.)
+  /// Calls f(w) for the vertices to go on to from v in a search for all points inside a circle that
+  /// began at `start`, a point on it: a search that goes on from all that it finds inside finds
+  /// all. Without hubs these are the neighbours, and so they are if it began at a hub. Otherwise it
+  /// goes around the hubs, and never on from one. (Without the hubs' points, too, the points inside
+  /// a circle are connected in the Delaunay graph; and a hub inside is a neighbour of another point
+  /// inside.)
   template <class F>
-  void for_each_onward(VertexId v, const F& f) const {
-    if (hub_.empty()) return for_each_neighbour(v, f);
+  void for_each_onward(VertexId v, VertexId start, const F& f) const {
+    if (hub_.empty() || hub_[start]) return for_each_neighbour(v, f);
     onward_.for_each(v, f);
   }
 
@@ -69,7 +76,7 @@ class DelaunayGraph {
 
   Lists lists_;       // of neighbours; empty before list_neighbours()
   Buffer<bool> hub_;  // empty if there are none
-  Lists onward_;      // empty likewise
+  Lists onward_;      // empty likewise; a hub's list is empty
 };
 
 }  // namespace hodt

@@ -23,8 +23,7 @@ class EdgesAt {
         k_(k),
         numbering_(numbering),
         fixed_(fixed),
-        useful_(graph),
-        around_(graph) {}
+        useful_(graph) {}
 
   /// Adds those from u to vertices of larger numbers, sorted.
   void add(VertexId u, std::vector<EdgeRecord>& records) {
@@ -39,12 +38,7 @@ class EdgesAt {
         add_fixed(u, is_larger, record);
         break;
       case EdgeClass::kod:
-        around_.gather(u, k_);
-        for (Index i = 0; i < around_.size(); ++i) {
-          if (around_.least_order(i) > k_ || !is_larger(around_.vertex(i))) continue;
-          const Index order = around_.pencil().edge_order(i, k_);
-          if (order <= k_) record(around_.vertex(i), order);
-        }
+        add_kod(u, is_larger, record);
         break;
       case EdgeClass::useful:
         for (const UsefulEdge& edge : useful_.from(u, k_, is_larger)) record(edge.to, edge.order);
@@ -61,6 +55,17 @@ class EdgesAt {
 
  private:
   template <class IsLarger, class Record>
+  void add_kod(VertexId u, const IsLarger& is_larger, const Record& record) {
+    Neighbourhood& around = useful_.neighbourhood();
+    around.gather(u, k_);
+    for (Index i = 0; i < around.size(); ++i) {
+      if (around.least_order(i) > k_ || !is_larger(around.vertex(i))) continue;
+      const Index order = around.pencil().edge_order(i, k_);
+      if (order <= k_) record(around.vertex(i), order);
+    }
+  }
+
+  template <class IsLarger, class Record>
   void add_fixed(VertexId u, const IsLarger& is_larger, const Record& record) {
     const TriangleMesh& mesh = graph_.mesh;
     for_each_outgoing(mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
@@ -76,7 +81,6 @@ class EdgesAt {
   const Numbering& numbering_;
   const Buffer<bool>& fixed_;
   UsefulEdgeSearch useful_;
-  Neighbourhood around_;
 };
 
 }  // namespace
@@ -87,15 +91,12 @@ void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
   const Buffer<bool> fixed =
       edge_class == EdgeClass::fixed ? fixed_edges(graph, k) : Buffer<bool>();
   PerThread<EdgesAt> edges_at([&] { return EdgesAt(graph, edge_class, k, numbering, fixed); });
-  const std::size_t n = graph.xy.size();
   constexpr std::size_t kBatch = 1 << 17, kPiece = 1 << 10;
-  for (std::size_t begin = 0; begin < n; begin += kBatch)
-    sink(parallel_collect<EdgeRecord>(
-        begin, std::min(n, begin + kBatch), kPiece,
-        [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {
-          EdgesAt& mine = edges_at.mine();
-          for (std::size_t i = first; i < last; ++i) mine.add(numbering.ascending[i], records);
-        }));
+  const auto add = [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {
+    EdgesAt& mine = edges_at.mine();
+    for (std::size_t i = first; i < last; ++i) mine.add(numbering.ascending[i], records);
+  };
+  parallel_stream<EdgeRecord>(0, graph.xy.size(), kBatch, kPiece, add, sink);
 }
 
 }  // namespace hodt

@@ -10,12 +10,6 @@ namespace {
 
 using Triangles = std::vector<std::array<VertexId, 3>>;
 
-bool is_delaunay_edge(const DelaunayGraph& graph, VertexId u, VertexId v) {
-  bool found = false;
-  graph.for_each_neighbour(u, [&](VertexId w) { found |= w == v; });
-  return found;
-}
-
 /// Of the vertices between the first and the last of a part of the chain, the one whose circle
 /// through these two holds none of the others.
 std::size_t emptiest(const DelaunayGraph& graph, const std::vector<VertexId>& chain,
@@ -52,7 +46,7 @@ void triangulate_beside(const DelaunayGraph& graph, const std::vector<VertexId>&
 
 Hull hull_of_edge(const DelaunayGraph& graph, VertexId u, VertexId v) {
   Hull hull;
-  if (is_delaunay_edge(graph, u, v)) return hull;
+  if (graph.has_edge(u, v)) return hull;
   const TriangleMesh& mesh = graph.mesh;
   const HalfEdgeId first = first_crossed(mesh, graph.xy, graph.outgoing[u], u, v);
   hull.triangles.push_back(TriangleMesh::triangle(first));

@@ -29,15 +29,10 @@ bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
   points_.clear(extent);
   take_up([&](const auto& f) { graph_.for_each_neighbour(u, f); });
   degree_ = size_;
-  // Around hubs, if u is none: they count nothing, and nobody is reached through them.
-  const bool around_hubs = graph_.has_hubs() && !graph_.is_hub(u);
   const auto go_on_from = [&](VertexId v) {
-    if (!around_hubs)
-      take_up([&](const auto& f) { graph_.for_each_neighbour(v, f); });
-    else if (!graph_.is_hub(v))
-      take_up([&](const auto& f) { graph_.for_each_onward(v, f); });
+    take_up([&](const auto& f) { graph_.for_each_onward(v, u, f); });
   };
-  if (around_hubs) go_on_from(u);
+  if (graph_.has_hubs()) go_on_from(u);  // around them, to more than the neighbours
 
   // An edge of order j > 0 is found among the neighbours of the other end of one of order j - 1 or
   // less. A bound that rises as more is known only lets more vertices in. Nearly all neighbours of

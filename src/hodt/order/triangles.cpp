@@ -26,8 +26,7 @@ bool is_less(const TriangleRecord& s, const TriangleRecord& t) {
 template <class F>
 void stream(std::size_t n, const Sink& sink, const F& f) {
   constexpr std::size_t kBatch = 1 << 15, kPiece = 1 << 8;
-  for (std::size_t begin = 0; begin < n; begin += kBatch)
-    sink(parallel_collect<TriangleRecord>(begin, std::min(n, begin + kBatch), kPiece, f));
+  parallel_stream<TriangleRecord>(0, n, kBatch, kPiece, f, sink);
 }
 
 /// k-OD triangles: from each vertex, those with the edges to its k-OD neighbours.

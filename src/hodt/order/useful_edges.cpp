@@ -9,9 +9,7 @@ std::optional<Index> UsefulEdgeSearch::useful_order(VertexId u, VertexId v, Inde
     return count;
   };
   if (degree(v) < degree(u)) std::swap(u, v);
-  bool is_delaunay = false;
-  graph_.for_each_neighbour(u, [&](VertexId w) { is_delaunay |= w == v; });
-  if (is_delaunay) return 0;
+  if (graph_.has_edge(u, v)) return 0;
   const auto& found = from(u, limit, [&](VertexId w) { return w == v; });
   if (found.empty()) return std::nullopt;
   return found.front().order;

@@ -30,6 +30,9 @@ class UsefulEdgeSearch {
   void limit_effort(std::size_t questions) { effort_ = questions; }
   bool complete() const { return complete_; }
 
+  /// The scratch memory of a search, for other questions in between.
+  Neighbourhood& neighbourhood() { return around_; }
+
   /// The useful order of uv if it is within the limit and uv is an edge at all (no vertex lies
   /// between its ends); 0 for Delaunay edges. Requires u != v.
   std::optional<Index> useful_order(VertexId u, VertexId v, Index limit);
@@ -96,7 +99,7 @@ class UsefulEdgeSearch {
       if (i == kNone) continue;
       if (i >= around_.degree() && wanted(v)) add_if_useful(i, v, limit);
       if (around_.pencil().edge_order(i, limit) < limit)
-        graph_.for_each_onward(v, [&](VertexId w) { visit(w); });
+        graph_.for_each_onward(v, v, [&](VertexId w) { visit(w); });
     }
     if (!other_hubs) return;
     complete_ = around_.gather(u, limit, effort_);
