@@ -45,4 +45,17 @@ inline std::vector<hodt::Point> clustered(std::size_t n) {
   return points;
 }
 
+/// Near a circle, off by one part in a hundred.
+inline std::vector<hodt::Point> circle(std::size_t n) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> angle(0, 6.283185307179586);
+  std::normal_distribution<double> normal(1, 0.01);
+  std::vector<hodt::Point> points(n);
+  for (hodt::Point& p : points) {
+    const double a = angle(random), radius = normal(random);
+    p = {radius * std::cos(a), radius * std::sin(a)};
+  }
+  return points;
+}
+
 }  // namespace point_sets

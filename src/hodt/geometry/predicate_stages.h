@@ -93,6 +93,14 @@ class CircleFilter {
     return {d_ * r + (p_ * x + q_ * y), bound_ + bound_per_r_ * r};
   }
 
+  /// The numbers behind it, for loops over many points.
+  const Point& origin() const { return a_; }
+  double per_r() const { return d_; }
+  double per_x() const { return p_; }
+  double per_y() const { return q_; }
+  double bound() const { return bound_; }
+  double bound_per_r() const { return bound_per_r_; }
+
  private:
   Point a_;
   double d_, p_, q_;

@@ -13,17 +13,17 @@ namespace hodt {
 
 namespace {
 
-/// The edges of one class at one vertex after another. Scratch memory for one thread.
+/// The edges of one class at one vertex after another.
 class EdgesAt {
  public:
   EdgesAt(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering& numbering,
-          const Buffer<bool>& fixed)
+          const Buffer<bool>& fixed, UsefulEdgeSearch& useful)
       : graph_(graph),
         class_(edge_class),
         k_(k),
         numbering_(numbering),
         fixed_(fixed),
-        useful_(graph) {}
+        useful_(useful) {}
 
   /// Adds those from u to vertices of larger numbers, sorted.
   void add(VertexId u, std::vector<EdgeRecord>& records) {
@@ -80,7 +80,7 @@ class EdgesAt {
   const Index k_;
   const Numbering& numbering_;
   const Buffer<bool>& fixed_;
-  UsefulEdgeSearch useful_;
+  UsefulEdgeSearch& useful_;
 };
 
 }  // namespace
@@ -90,11 +90,11 @@ void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
                    const std::function<void(std::span<const EdgeRecord>)>& sink) {
   const Buffer<bool> fixed =
       edge_class == EdgeClass::fixed ? fixed_edges(graph, k) : Buffer<bool>();
-  PerThread<EdgesAt> edges_at([&] { return EdgesAt(graph, edge_class, k, numbering, fixed); });
+  UsefulEdgeSearches searches(graph, k);
   constexpr std::size_t kBatch = 1 << 17, kPiece = 1 << 10;
   const auto add = [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {
-    EdgesAt& mine = edges_at.mine();
-    for (std::size_t i = first; i < last; ++i) mine.add(numbering.ascending[i], records);
+    EdgesAt edges(graph, edge_class, k, numbering, fixed, searches.mine());
+    for (std::size_t i = first; i < last; ++i) edges.add(numbering.ascending[i], records);
   };
   parallel_stream<EdgeRecord>(0, graph.xy.size(), kBatch, kPiece, add, sink);
 }

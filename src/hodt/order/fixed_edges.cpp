@@ -17,7 +17,7 @@ Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k) {
   const auto cross = [&](HalfEdgeId h) {
     std::atomic_ref<bool>(fixed[h]).store(false, std::memory_order_relaxed);
   };
-  PerThread<UsefulEdgeSearch> searches([&] { return UsefulEdgeSearch(graph); });
+  UsefulEdgeSearches searches(graph, k);
   parallel_for(0, graph.xy.size(), 1 << 9, [&](std::size_t first, std::size_t last) {
     UsefulEdgeSearch& search = searches.mine();
     for (std::size_t i = first; i < last; ++i) {

@@ -27,4 +27,11 @@ void UsefulEdgeSearch::visit(VertexId v) {
   visit_.push_back(v);
 }
 
+UsefulEdgeSearches::UsefulEdgeSearches(const DelaunayGraph& graph, Index limit)
+    : searches_([this, &graph] {
+        return tree_ ? UsefulEdgeSearch(graph, *tree_) : UsefulEdgeSearch(graph);
+      }) {
+  if (limit >= UsefulEdgeSearch::kLarge) tree_.emplace(graph.xy);
+}
+
 }  // namespace hodt

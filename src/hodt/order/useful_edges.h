@@ -5,9 +5,12 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "hodt/base/parallel.h"
 #include "hodt/order/first_order.h"
+#include "hodt/order/large_order_search.h"
 #include "hodt/order/neighbourhood.h"
 #include "hodt/order/pencil.h"
 
@@ -24,9 +27,15 @@ struct UsefulEdge {
 class UsefulEdgeSearch {
  public:
   explicit UsefulEdgeSearch(const DelaunayGraph& graph) : graph_(graph), around_(graph) {}
+  /// Questions about orders of kLarge and more go to a search made for them.
+  UsefulEdgeSearch(const DelaunayGraph& graph, const PointTree& tree)
+      : graph_(graph), around_(graph), large_(std::in_place, graph, tree) {}
+
+  /// From here on the search for large orders is faster.
+  static constexpr Index kLarge = 512;
 
   /// Lets a search give up, and find nothing, after so many questions (one point against another).
-  /// For orders in the hundreds. complete() then tells.
+  /// complete() then tells. For orders in the hundreds, without a tree.
   void limit_effort(std::size_t questions) { effort_ = questions; }
   bool complete() const { return complete_; }
 
@@ -45,6 +54,10 @@ class UsefulEdgeSearch {
     complete_ = true;
     if (limit == 1)
       across_one_edge(u, wanted);
+    else if (limit >= kLarge && large_)
+      large_->from(u, limit, wanted, [&](VertexId v, Index order) {
+        found_.push_back({v, order});
+      });
     else if (limit > 1)
       beyond_one_edge(u, limit, wanted);
     std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
@@ -116,11 +129,23 @@ class UsefulEdgeSearch {
 
   const DelaunayGraph& graph_;
   Neighbourhood around_;
+  std::optional<LargeOrderSearch> large_;
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();
   bool complete_ = true;
   std::vector<UsefulEdge> found_;
   std::vector<VertexId> visit_;  // to be visited from a hub, and visited
   std::vector<bool> is_visited_;
+};
+
+/// A search for every thread, with a tree if one pays for orders up to `limit`.
+class UsefulEdgeSearches {
+ public:
+  UsefulEdgeSearches(const DelaunayGraph& graph, Index limit);
+  UsefulEdgeSearch& mine() { return searches_.mine(); }
+
+ private:
+  std::optional<PointTree> tree_;
+  PerThread<UsefulEdgeSearch> searches_;
 };
 
 }  // namespace hodt

@@ -8,10 +8,6 @@
 
 namespace hodt {
 
-struct Box {
-  Point low, high;
-};
-
 /// The smallest box around the points, enlarged on all sides by this share of its longer side.
 Box enlarged_bounding_box(std::span<const Point> xy, double share);
 

@@ -7,7 +7,7 @@
 namespace hodt {
 namespace {
 
-struct Box {
+struct Extent {
   Point low;
   Point high;
 
@@ -21,15 +21,15 @@ struct Box {
   }
 };
 
-Box bounding_box(std::span<const Point> points) {
-  Box box{points.front(), points.front()};
+Extent bounding_box(std::span<const Point> points) {
+  Extent box{points.front(), points.front()};
   for (const Point& p : points) box.include(p);
   return box;
 }
 
 /// Without its rim, where the outline of the points cuts in and triangles are long, as long as
 /// `side` fits in the rest.
-Box without_rim(const Box& box, double side) {
+Extent without_rim(const Extent& box, double side) {
   constexpr double kRim = 0.2;
   const double x = std::clamp((box.high.x - box.low.x - side) / 2, 0.0, kRim * side);
   const double y = std::clamp((box.high.y - box.low.y - side) / 2, 0.0, kRim * side);
@@ -38,10 +38,10 @@ Box without_rim(const Box& box, double side) {
 
 /// The bounding box of the largest set of targets that a square of side `side` covers. Some best
 /// square has a target on its west and one on its south side, so those are all that are tried.
-Box densest(std::vector<Point> by_x, double side) {
+Extent densest(std::vector<Point> by_x, double side) {
   std::sort(by_x.begin(), by_x.end(), lexicographically_less);
   std::size_t most = 0;
-  Box best;
+  Extent best;
   std::vector<Point> strip;
   for (std::size_t west = 0; west < by_x.size(); ++west) {
     strip.clear();
@@ -70,13 +70,13 @@ double placed(double middle, double side, double low, double high) {
 }  // namespace
 
 Window best_window(std::span<const Point> points, std::span<const Point> targets, double side) {
-  const Box all = without_rim(bounding_box(points), side);
+  const Extent all = without_rim(bounding_box(points), side);
   std::vector<Point> inside;
   for (const Point& p : targets) {
     if (all.contains(p)) inside.push_back(p);
   }
   // A target on the very border of the picture would be cut; so leave a margin.
-  const Box shown = inside.empty() ? all : densest(std::move(inside), 0.92 * side);
+  const Extent shown = inside.empty() ? all : densest(std::move(inside), 0.92 * side);
   const Point middle = shown.middle();
   return {{placed(middle.x, side, all.low.x, all.high.x),
            placed(middle.y, side, all.low.y, all.high.y)},
