@@ -6,7 +6,7 @@
 set -eu
 
 goal=${1:-build}
-packages="g++ cmake ninja-build make libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev"
+packages="g++ cmake ninja-build make libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev pkg-config coinor-libclp-dev"
 case $goal in
   build) ;;
   test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev" ;;

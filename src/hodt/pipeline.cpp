@@ -11,6 +11,7 @@
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/optimize/first_order_extrema.h"
+#include "hodt/optimize/optimize_measure.h"
 #include "hodt/optimize/remove_extrema.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
@@ -20,7 +21,7 @@ namespace hodt {
 namespace {
 
 void require_heights(const PointSet& points, Objective objective) {
-  if (objective == Objective::none || points.has_heights()) return;
+  if (!needs_heights(objective) || points.has_heights()) return;
   throw ParameterError(fmt::format(
       "the objective {} needs heights, and the points have none; add a z column or choose none",
       name_of(objective)));
@@ -73,19 +74,49 @@ ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
   return count_extrema(vertices.xy, vertices.z, mesh.origins());
 }
 
-ExtremaSolution optimize(const DelaunayGraph& graph, const VertexSet& vertices,
-                         const TriangulateOptions& options) {
-  if (options.order == 1 && options.objective == Objective::min_local_extrema)
-    return minimize_first_order_extrema(graph, vertices.z);
+struct Optimum {
+  TriangleMesh mesh;
+  Value value;
+};
+
+Optimum from(ExtremaSolution&& solution) {
+  return {std::move(solution.mesh),
+          {.delaunay = double(solution.delaunay),
+           .result = double(solution.result),
+           .bound = double(solution.bound),
+           .optimal = solution.result == solution.bound}};
+}
+
+Optimum from(MeasuredSolution&& solution) {
+  return {std::move(solution.mesh),
+          {.delaunay = solution.delaunay,
+           .result = solution.result,
+           .bound = solution.bound,
+           .optimal = solution.optimal}};
+}
+
+Optimum optimize(const DelaunayGraph& graph, const VertexSet& vertices,
+                 const TriangulateOptions& options) {
   // More than n - 3 points are never inside a circle.
-  const Index unrestricted = static_cast<Index>(vertices.size() - 3);
-  return remove_extrema({.graph = graph,
-                         .z = vertices.z,
-                         .order = std::min(options.order, unrestricted),
-                         .objective = options.objective,
-                         .method = options.method,
-                         .deadline = Deadline(options.time_limit),
-                         .progress = options.progress});
+  const Index order = std::min(options.order, static_cast<Index>(vertices.size() - 3));
+  const Deadline deadline(options.time_limit);
+  if (options.objective.kind == Objective::measured)
+    return from(optimize_measure({.graph = graph,
+                                  .z = vertices.z,
+                                  .order = order,
+                                  .objective = options.objective,
+                                  .method = options.method,
+                                  .deadline = deadline,
+                                  .progress = options.progress}));
+  if (options.order == 1 && options.objective == Objective::min_local_extrema)
+    return from(minimize_first_order_extrema(graph, vertices.z));
+  return from(remove_extrema({.graph = graph,
+                              .z = vertices.z,
+                              .order = order,
+                              .objective = options.objective,
+                              .method = options.method,
+                              .deadline = deadline,
+                              .progress = options.progress}));
 }
 
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
@@ -93,20 +124,17 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
                        Report& report) {
   DelaunayGraph graph(delaunay);
   if (options.order > 1) graph.list_neighbours_if_hubs();
-  ExtremaSolution solution = optimize(graph, delaunay.vertices, options);
+  Optimum optimum = optimize(graph, delaunay.vertices, options);
   if (options.progress) options.progress("verification", -1);
-  report.order_histogram = order_histogram(graph, solution.mesh);
+  report.order_histogram = order_histogram(graph, optimum.mesh);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)
     throw std::logic_error(fmt::format(
         "a triangle of order {} where {} was asked for; this is a defect of hodt, please report it "
         "with the input",
         report.order, options.order));
-  report.value = Value{.delaunay = double(solution.delaunay),
-                       .result = double(solution.result),
-                       .bound = double(solution.bound),
-                       .optimal = solution.result == solution.bound};
-  return std::move(solution.mesh);
+  report.value = optimum.value;
+  return std::move(optimum.mesh);
 }
 
 }  // namespace

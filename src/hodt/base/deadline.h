@@ -1,6 +1,7 @@
 // A moment after which a search is to stop.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 namespace hodt {
@@ -17,6 +18,11 @@ class Deadline {
           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   }
   bool passed() const { return limited_ && Clock::now() >= at_; }
+  bool is_limited() const { return limited_; }
+  /// 0 if passed. REQUIRES is_limited().
+  double seconds_left() const {
+    return std::max(0.0, std::chrono::duration<double>(at_ - Clock::now()).count());
+  }
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,7 +1,7 @@
 #include "hodt/optimize/objective.h"
 
 #include <array>
-#include <span>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,42 +16,102 @@ namespace {
 template <class T>
 using Named = std::pair<std::string_view, T>;
 
-constexpr std::array<Named<Objective>, 4> kObjectives = {{
+constexpr std::array<Named<Objective::Kind>, 4> kKinds = {{
     {"min-local-minima", Objective::min_local_minima},
     {"min-local-maxima", Objective::min_local_maxima},
     {"min-local-extrema", Objective::min_local_extrema},
     {"none", Objective::none},
 }};
 
-constexpr std::array<Named<Method>, 2> kMethods = {{
-    {"auto", Method::automatic},
-    {"greedy", Method::greedy},
+constexpr std::array<Named<Direction>, 2> kDirections = {{
+    {"min", Direction::minimize},
+    {"max", Direction::maximize},
 }};
 
-template <class T>
-T from_name(std::string_view name, std::span<const Named<T>> known, std::string_view what) {
+constexpr std::array<Named<Aggregate>, 3> kAggregates = {{
+    {"sum", Aggregate::sum},
+    {"max", Aggregate::max},
+    {"min", Aggregate::min},
+}};
+
+constexpr std::array<Named<Measure>, 8> kMeasures = {{
+    {"area", Measure::area},
+    {"angle", Measure::angle},
+    {"small-angle", Measure::small_angle},
+    {"circumradius", Measure::circumradius},
+    {"enclosing-radius", Measure::enclosing_radius},
+    {"inradius", Measure::inradius},
+    {"length", Measure::length},
+    {"flat-area", Measure::flat_area},
+}};
+
+constexpr std::array<Named<Method>, 3> kMethods = {{
+    {"auto", Method::automatic},
+    {"greedy", Method::greedy},
+    {"flip", Method::flip},
+}};
+
+template <class Known>
+std::string names_of(const Known& known) {
   std::string names;
-  for (const auto& [known_name, value] : known) {
+  for (const auto& [name, value] : known)
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  return names;
+}
+
+template <class Known>
+auto find_name(const Known& known, std::string_view name)
+    -> std::optional<typename Known::value_type::second_type> {
+  for (const auto& [known_name, value] : known)
     if (known_name == name) return value;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", known_name);
-  }
-  throw ParameterError(fmt::format("unknown {} '{}'; there are {}", what, name, names));
+  return std::nullopt;
+}
+
+template <class Known, class T>
+std::string_view name_in(const Known& known, T value) {
+  for (const auto& [name, known_value] : known)
+    if (known_value == value) return name;
+  return "unknown";
+}
+
+/// "min-max-small-angle" is min, max and small-angle.
+std::optional<Objective> measured_from_name(std::string_view name) {
+  const std::size_t first = name.find('-');
+  if (first == name.npos) return std::nullopt;
+  const std::size_t second = name.find('-', first + 1);
+  if (second == name.npos) return std::nullopt;
+  const auto direction = find_name(kDirections, name.substr(0, first));
+  const auto aggregate = find_name(kAggregates, name.substr(first + 1, second - first - 1));
+  const auto measure = find_name(kMeasures, name.substr(second + 1));
+  if (!direction || !aggregate || !measure) return std::nullopt;
+  return Objective(*direction, *aggregate, *measure);
 }
 
 }  // namespace
 
 Objective objective_from_name(std::string_view name) {
-  return from_name<Objective>(name, kObjectives, "objective");
+  if (const auto kind = find_name(kKinds, name)) return *kind;
+  if (const auto measured = measured_from_name(name)) return *measured;
+  throw ParameterError(fmt::format(
+      "unknown objective '{}'; there are {}, and <min|max>-<sum|max|min>-MEASURE, where MEASURE is "
+      "one of {}",
+      name, names_of(kKinds), measure_names()));
 }
 
 Method method_from_name(std::string_view name) {
-  return from_name<Method>(name, kMethods, "method");
+  if (const auto method = find_name(kMethods, name)) return *method;
+  throw ParameterError(fmt::format("unknown method '{}'; there are {}", name, names_of(kMethods)));
 }
 
-std::string_view name_of(Objective objective) {
-  for (const auto& [name, value] : kObjectives)
-    if (value == objective) return name;
-  return "unknown";
+std::string measure_names() {
+  return names_of(kMeasures);
+}
+
+std::string name_of(Objective objective) {
+  if (objective.kind != Objective::measured) return std::string(name_in(kKinds, objective.kind));
+  return fmt::format("{}-{}-{}", name_in(kDirections, objective.direction),
+                     name_in(kAggregates, objective.aggregate),
+                     name_in(kMeasures, objective.measure));
 }
 
 }  // namespace hodt

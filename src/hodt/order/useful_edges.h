@@ -32,7 +32,7 @@ class UsefulEdgeSearch {
       : graph_(graph), around_(graph), large_(std::in_place, graph, tree) {}
 
   /// From here on the search for large orders is faster.
-  static constexpr Index kLarge = 512;
+  static constexpr Index kLarge = 256;
 
   /// Lets a search give up, and find nothing, after so many questions (one point against another).
   /// complete() then tells. For orders in the hundreds, without a tree.

@@ -1,0 +1,34 @@
+// One face of the fixed edges, to be triangulated as well as possible.
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hodt/optimize/measures.h"
+
+namespace hodt {
+
+/// A valid triangle in the face, counter-clockwise, and its value.
+struct FaceTriangle {
+  std::array<VertexId, 3> corners;
+  double value = 0;
+};
+
+struct FaceProblem {
+  std::span<const FaceTriangle> triangles;
+  /// The sides of the face: fixed edges, with the face on their left.
+  std::span<const std::pair<VertexId, VertexId>> sides;
+  /// How many triangles any triangulation of the face has.
+  std::size_t size = 0;
+};
+
+struct FaceSolution {
+  /// Indices of the triangles, or none if no triangulation was found.
+  std::vector<Index> chosen;
+  /// No triangulation of the face is better. By sums: but for rounding, relatively 1e-9.
+  double bound = 0;
+};
+
+}  // namespace hodt

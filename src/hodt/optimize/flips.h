@@ -1,0 +1,17 @@
+// Flips that improve a triangulation, as long as there are any.
+#pragma once
+
+#include "hodt/base/deadline.h"
+#include "hodt/optimize/measures.h"
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+/// Replaces the diagonal of a convex quadrilateral where that is better for the objective and both
+/// new triangles have order at most k, until there is none left or the deadline passes. The mesh
+/// must be a triangulation of the graph's points of order at most k, with the same half-edges on
+/// the boundary. Each flip improves the sorted values of all triangles, so it ends.
+void improve_by_flips(const DelaunayGraph& graph, const TriangleValues& values, Index k,
+                      const Deadline& deadline, TriangleMesh& mesh);
+
+}  // namespace hodt

@@ -1,0 +1,130 @@
+#include "hodt/optimize/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hodt {
+
+namespace {
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+/// Twice the area.
+double cross(const Point& a, const Point& b, const Point& c) {
+  return std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+/// At a, in degrees.
+double angle(const Point& a, const Point& b, const Point& c) {
+  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
+  return kDegrees * std::atan2(cross(a, b, c), dot);
+}
+
+double area(const Point& a, const Point& b, const Point& c) {
+  return cross(a, b, c) / 2;
+}
+
+double largest_angle(const Point& a, const Point& b, const Point& c) {
+  return std::max({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+}
+
+double smallest_angle(const Point& a, const Point& b, const Point& c) {
+  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+}
+
+double longest_edge(const Point& a, const Point& b, const Point& c) {
+  return std::max({distance(a, b), distance(b, c), distance(c, a)});
+}
+
+double shortest_edge(const Point& a, const Point& b, const Point& c) {
+  return std::min({distance(a, b), distance(b, c), distance(c, a)});
+}
+
+double circumradius(const Point& a, const Point& b, const Point& c) {
+  return distance(a, b) * distance(b, c) * distance(c, a) / (2 * cross(a, b, c));
+}
+
+double enclosing_radius(const Point& a, const Point& b, const Point& c) {
+  return largest_angle(a, b, c) >= 90 ? longest_edge(a, b, c) / 2 : circumradius(a, b, c);
+}
+
+double inradius(const Point& a, const Point& b, const Point& c) {
+  return cross(a, b, c) / (distance(a, b) + distance(b, c) + distance(c, a));
+}
+
+/// The edges count half: each but those of the hull is in two triangles.
+double half_perimeter(const Point& a, const Point& b, const Point& c) {
+  return (distance(a, b) + distance(b, c) + distance(c, a)) / 2;
+}
+
+}  // namespace
+
+double TriangleValues::of(VertexId u, VertexId v, VertexId w) const {
+  // The same bits whatever corner comes first.
+  VertexId ids[3] = {u, v, w};
+  std::sort(std::begin(ids), std::end(ids));
+  const Point &a = xy_[ids[0]], &b = xy_[ids[1]], &c = xy_[ids[2]];
+  switch (objective_.measure) {
+    case Measure::area:
+      return area(a, b, c);
+    case Measure::angle:
+      return largest_angle(a, b, c);
+    case Measure::small_angle:
+      return smallest_angle(a, b, c);
+    case Measure::circumradius:
+      return circumradius(a, b, c);
+    case Measure::enclosing_radius:
+      return enclosing_radius(a, b, c);
+    case Measure::inradius:
+      return inradius(a, b, c);
+    case Measure::length:
+      return objective_.aggregate == Aggregate::sum   ? half_perimeter(a, b, c)
+             : objective_.aggregate == Aggregate::max ? longest_edge(a, b, c)
+                                                      : shortest_edge(a, b, c);
+    case Measure::flat_area:
+      return z_[u] == z_[v] && z_[v] == z_[w] ? area(a, b, c) : 0;
+  }
+  return 0;
+}
+
+double TriangleValues::neutral() const {
+  switch (objective_.aggregate) {
+    case Aggregate::sum:
+      return 0;
+    case Aggregate::max:
+      return -std::numeric_limits<double>::infinity();
+    case Aggregate::min:
+      return std::numeric_limits<double>::infinity();
+  }
+  return 0;
+}
+
+bool TriangleValues::better_pair(double a1, double a2, double b1, double b2) const {
+  const double a = combine(a1, a2), b = combine(b1, b2);
+  if (objective_.aggregate == Aggregate::sum) {
+    // What rounding can have made of equal sums is no gain.
+    const double tiny = 1e-14 * (std::fabs(a1) + std::fabs(a2) + std::fabs(b1) + std::fabs(b2));
+    return better(a, b) && std::fabs(a - b) > tiny;
+  }
+  if (a != b) return better(a, b);
+  return better(a1 == a ? a2 : a1, b1 == b ? b2 : b1);
+}
+
+double TriangleValues::of(const TriangleMesh& mesh) const {
+  double value = neutral();
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.corners(TriangleId(t));
+    value = combine(value, of(a, b, c));
+  }
+  if (objective_.measure == Measure::length && objective_.aggregate == Aggregate::sum)
+    for (Index h = 0; h < mesh.halfedge_count(); ++h)
+      if (mesh.is_boundary(HalfEdgeId(h)))
+        value += distance(xy_[mesh.origin(HalfEdgeId(h))], xy_[mesh.target(HalfEdgeId(h))]) / 2;
+  return value;
+}
+
+}  // namespace hodt
