@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <coin/Clp_C_Interface.h>
 
@@ -12,7 +15,8 @@ namespace hodt {
 
 namespace {
 
-constexpr int kMostIterations = 1'000'000;
+constexpr int kMostIterations = 1'000'000;  // of one program
+constexpr std::size_t kMostNodes = 400;     // programs for one vector of costs
 
 /// An edge of one of the triangles, or a side of the face (triangle kNone).
 struct Use {
@@ -76,33 +80,6 @@ Program program_of(const FaceProblem& face) {
   return program;
 }
 
-/// For any y: the cost of x is y·b plus that of what the costs exceed y's part by, and x is between
-/// 0 and 1, and all its entries together are the number of triangles.
-double bound_from_duals(const FaceProblem& face, const Program& program,
-                        const std::vector<double>& costs, const double* duals) {
-  double bound = 0, size = 0;
-  for (std::size_t row = 0; row < program.right_hand_side.size(); ++row) {
-    bound += program.right_hand_side[row] * duals[row];
-    size += program.right_hand_side[row] * std::fabs(duals[row]);
-  }
-  double least = 0;
-  double all = 0;
-  for (std::size_t t = 0; t < costs.size(); ++t) {
-    double reduced = costs[t], magnitude = std::fabs(costs[t]);
-    for (std::size_t e = 3 * t; e < 3 * t + 3; ++e) {
-      const double part = program.sign_of[e] * duals[program.row_of[e]];
-      reduced -= part;
-      magnitude += std::fabs(part);
-    }
-    reduced -= 4 * 0x1p-52 * magnitude;
-    least = std::min(least, reduced);
-    all += std::min(0.0, reduced);
-  }
-  // Sums of so many terms.
-  const double rounding = double(program.right_hand_side.size()) * 0x1p-52 * size;
-  return bound - rounding + std::max(double(face.size) * least, all * (1 + 1e-9));
-}
-
 /// Whether the chosen triangles fit together: every side once, every inner edge from both sides.
 bool is_triangulation(const FaceProblem& face, const std::vector<Index>& chosen) {
   if (chosen.size() != face.size) return false;
@@ -121,40 +98,247 @@ bool is_triangulation(const FaceProblem& face, const std::vector<Index>& chosen)
   return true;
 }
 
+/// The linear program of a face, for one vector of costs after another.
+class FaceProgram {
+ public:
+  FaceProgram(const FaceProblem& face, const Deadline& deadline)
+      : face_(face),
+        program_(program_of(face)),
+        deadline_(deadline),
+        model_(Clp_newModel(), Clp_deleteModel) {}
+
+  struct Solution {
+    std::vector<Index> chosen;  // none, or a triangulation
+    double bound;               // no triangulation costs less
+  };
+  /// The cheapest triangulation; or, as soon as it is certain that all cost more than `too_much`,
+  /// any or none. Costs are to be at most about 1 in size.
+  Solution minimize(const std::vector<double>& costs,
+                    double too_much = std::numeric_limits<double>::infinity());
+
+ private:
+  /// Triangles that are in (1) or out (0), on the way to this part of all triangulations.
+  struct Node {
+    double bound;
+    std::size_t number;  // breaks ties
+    std::vector<std::pair<Index, bool>> fixed;
+    bool operator<(const Node& other) const {  // the lowest bound is the top of a heap
+      return std::tuple(bound, number) > std::tuple(other.bound, other.number);
+    }
+  };
+
+  void load(const std::vector<double>& costs);
+  void relax(const Node& node);
+  double bound(const std::vector<double>& costs) const;
+  Index most_fractional() const;
+  std::vector<Index> rounded() const;
+
+  const FaceProblem& face_;
+  const Program program_;
+  const Deadline& deadline_;
+  std::unique_ptr<Clp_Simplex, void (*)(Clp_Simplex*)> model_;
+  std::vector<double> low_, high_;
+};
+
+void FaceProgram::load(const std::vector<double>& costs) {
+  const std::size_t columns = costs.size();
+  std::vector<CoinBigIndex> starts(columns + 1);
+  for (std::size_t t = 0; t <= columns; ++t) starts[t] = CoinBigIndex(3 * t);
+  low_.assign(columns, 0);
+  high_.assign(columns, 1);
+  Clp_setLogLevel(model_.get(), 0);
+  Clp_loadProblem(model_.get(), int(columns), int(program_.right_hand_side.size()), starts.data(),
+                  program_.row_of.data(), program_.sign_of.data(), low_.data(), high_.data(),
+                  costs.data(), program_.right_hand_side.data(), program_.right_hand_side.data());
+  Clp_setMaximumIterations(model_.get(), kMostIterations);
+  // What the duals lack, the bound lacks many times.
+  Clp_setDualTolerance(model_.get(), 1e-11);
+}
+
+void FaceProgram::relax(const Node& node) {
+  std::fill(low_.begin(), low_.end(), 0);
+  std::fill(high_.begin(), high_.end(), 1);
+  for (const auto& [t, is_in] : node.fixed) (is_in ? low_ : high_)[t] = is_in;
+  std::copy(low_.begin(), low_.end(), Clp_columnLower(model_.get()));
+  std::copy(high_.begin(), high_.end(), Clp_columnUpper(model_.get()));
+  if (deadline_.is_limited()) Clp_setMaximumSeconds(model_.get(), deadline_.seconds_left());
+  if (node.fixed.empty())
+    Clp_initialSolve(model_.get());
+  else
+    Clp_dual(model_.get(), 0);
+}
+
+/// For any y, x costs y·b and what the costs exceed y's part by. Of that, x takes what its limits
+/// let it.
+double FaceProgram::bound(const std::vector<double>& costs) const {
+  const double* duals = Clp_dualRowSolution(model_.get());
+  double sum = 0, size = 0;
+  for (std::size_t row = 0; row < program_.right_hand_side.size(); ++row) {
+    sum += program_.right_hand_side[row] * duals[row];
+    size += program_.right_hand_side[row] * std::fabs(duals[row]);
+  }
+  double least = 0, below = 0, above = 0;
+  for (std::size_t t = 0; t < costs.size(); ++t) {
+    double reduced = costs[t], magnitude = std::fabs(costs[t]);
+    for (std::size_t e = 3 * t; e < 3 * t + 3; ++e) {
+      const double part = program_.sign_of[e] * duals[program_.row_of[e]];
+      reduced -= part;
+      magnitude += std::fabs(part);
+    }
+    reduced -= 8 * 0x1p-53 * magnitude;  // six roundings
+    if (reduced > 0) {
+      above += reduced * low_[t];
+    } else {
+      below += reduced * high_[t];
+      if (high_[t] > 0) least = std::min(least, reduced);
+    }
+  }
+  // Few of the triangles are in, face.size of them.
+  below = std::max(below, double(face_.size) * least);
+  const double terms = double(program_.right_hand_side.size() + costs.size());
+  return sum + below + above - terms * 0x1p-52 * (size - below + above);
+}
+
+Index FaceProgram::most_fractional() const {
+  const double* x = Clp_getColSolution(model_.get());
+  Index most = kNone;
+  double distance = 1e-6;
+  for (Index t = 0; t < low_.size(); ++t) {
+    const double d = std::min(x[t], 1 - x[t]);
+    if (d <= distance) continue;
+    distance = d;
+    most = t;
+  }
+  return most;
+}
+
+std::vector<Index> FaceProgram::rounded() const {
+  const double* x = Clp_getColSolution(model_.get());
+  std::vector<Index> chosen;
+  for (Index t = 0; t < low_.size(); ++t)
+    if (x[t] > 0.5) chosen.push_back(t);
+  if (!is_triangulation(face_, chosen)) chosen.clear();
+  return chosen;
+}
+
+FaceProgram::Solution FaceProgram::minimize(const std::vector<double>& costs, double too_much) {
+  constexpr double kEnough = 1e-10;  // of a face's value, for each of its triangles
+  load(costs);
+  Solution best{{}, 0};
+  double cost = std::numeric_limits<double>::infinity();
+  const double tolerance = kEnough * double(face_.size);
+  std::vector<Node> heap{{-std::numeric_limits<double>::infinity(), 0, {}}};
+  std::size_t count = 1;
+  for (std::size_t nodes = 0; nodes < kMostNodes; ++nodes) {
+    const double least = heap.front().bound;
+    if (least >= cost - tolerance || least > too_much || (nodes > 0 && deadline_.passed())) break;
+    std::pop_heap(heap.begin(), heap.end());
+    Node node = std::move(heap.back());
+    heap.pop_back();
+    relax(node);
+    node.bound = std::max(node.bound, bound(costs));
+    if (std::vector<Index> chosen = rounded(); !chosen.empty()) {
+      double sum = 0;
+      for (const Index t : chosen) sum += costs[t];
+      if (sum < cost) {
+        cost = sum;
+        best.chosen = std::move(chosen);
+      }
+    }
+    const Index t = node.bound < cost - tolerance ? most_fractional() : kNone;
+    // Not to branch keeps the bound: it may be as good as the cost, or all that is known.
+    const auto push = [&](const Node& child) {
+      heap.push_back(child);
+      std::push_heap(heap.begin(), heap.end());
+    };
+    if (t == kNone) {
+      push(node);
+      if (node.bound < cost - tolerance) break;
+      continue;
+    }
+    for (const bool is_in : {true, false}) {
+      Node child{node.bound, count++, node.fixed};
+      child.fixed.emplace_back(t, is_in);
+      push(child);
+    }
+  }
+  best.bound = std::min(cost, heap.front().bound);
+  return best;
+}
+
+FaceSolution best_sum(FaceProgram& program, const FaceProblem& face, const TriangleValues& values) {
+  const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
+  double largest = 0;
+  for (const FaceTriangle& t : face.triangles) largest = std::max(largest, std::fabs(t.value));
+  if (largest == 0) largest = 1;
+  std::vector<double> costs;
+  for (const FaceTriangle& t : face.triangles) costs.push_back(sign * t.value / largest);
+  const FaceProgram::Solution solution = program.minimize(costs);
+  // No measure is negative.
+  return {solution.chosen, std::max(sign * largest * solution.bound, 0.0)};
+}
+
+/// Values from best to worst, each once.
+std::vector<double> values_best_first(const FaceProblem& face, const TriangleValues& values) {
+  std::vector<double> all;
+  for (const FaceTriangle& t : face.triangles) all.push_back(t.value);
+  std::sort(all.begin(), all.end(), [&](double a, double b) { return values.better(a, b); });
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// The worst value counts: bisects for the least bad one that a triangulation can do with. That
+/// there is none without a worse triangle is proven by a bound above zero on their number.
+FaceSolution best_worst(FaceProgram& program, const FaceProblem& face,
+                        const TriangleValues& values) {
+  constexpr double kSomeAreWorse = 1e-6;
+  const std::vector<double> candidates = values_best_first(face, values);
+  std::size_t first = 0, last = candidates.size() - 1;  // all below `first` are proven too good
+  std::size_t proven = 0;
+  FaceSolution best;
+  while (first < last || best.chosen.empty()) {
+    const std::size_t middle = first + (last - first) / 2;
+    std::vector<double> costs;
+    for (const FaceTriangle& t : face.triangles)
+      costs.push_back(values.better(candidates[middle], t.value) ? 1 : 0);
+    FaceProgram::Solution solution = program.minimize(costs, kSomeAreWorse);
+    const bool is_free =
+        !solution.chosen.empty() && std::all_of(solution.chosen.begin(), solution.chosen.end(),
+                                                [&](Index t) { return costs[t] == 0; });
+    if (is_free) {
+      best.chosen = std::move(solution.chosen);
+      last = middle;
+    } else {
+      if (solution.bound > kSomeAreWorse && proven == first) proven = middle + 1;
+      first = middle + 1;
+    }
+    if (first > last || (first == last && middle == last)) break;
+  }
+  best.bound = candidates[std::min(proven, candidates.size() - 1)];
+  return best;
+}
+
+/// The best value counts: any triangle that some triangulation has.
+FaceSolution best_best(FaceProgram& program, const FaceProblem& face,
+                       const TriangleValues& values) {
+  Index best = 0;
+  for (Index t = 1; t < face.triangles.size(); ++t)
+    if (values.better(face.triangles[t].value, face.triangles[best].value)) best = t;
+  std::vector<double> costs(face.triangles.size(), 0);
+  costs[best] = -1;
+  return {program.minimize(costs).chosen, face.triangles[best].value};
+}
+
 }  // namespace
 
 FaceSolution solve_face_program(const FaceProblem& face, const TriangleValues& values,
                                 const Deadline& deadline) {
-  const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
-  const Program program = program_of(face);
-  const std::size_t columns = face.triangles.size(), rows = program.right_hand_side.size();
-  std::vector<double> costs(columns);
-  double largest = 0;
-  for (std::size_t t = 0; t < columns; ++t)
-    largest = std::max(largest, std::fabs(face.triangles[t].value));
-  const double scale = largest > 0 ? 1 / largest : 1;
-  for (std::size_t t = 0; t < columns; ++t) costs[t] = sign * scale * face.triangles[t].value;
-
-  std::vector<CoinBigIndex> starts(columns + 1);
-  for (std::size_t t = 0; t <= columns; ++t) starts[t] = CoinBigIndex(3 * t);
-  const std::vector<double> low(columns, 0), high(columns, 1);
-  const std::unique_ptr<Clp_Simplex, void (*)(Clp_Simplex*)> model(Clp_newModel(), Clp_deleteModel);
-  Clp_setLogLevel(model.get(), 0);
-  Clp_loadProblem(model.get(), int(columns), int(rows), starts.data(), program.row_of.data(),
-                  program.sign_of.data(), low.data(), high.data(), costs.data(),
-                  program.right_hand_side.data(), program.right_hand_side.data());
-  Clp_setMaximumIterations(model.get(), kMostIterations);
-  if (deadline.is_limited()) Clp_setMaximumSeconds(model.get(), deadline.seconds_left());
-  Clp_initialSolve(model.get());
-
-  FaceSolution solution;
-  solution.bound =
-      sign / scale * bound_from_duals(face, program, costs, Clp_dualRowSolution(model.get()));
-  const double* x = Clp_getColSolution(model.get());
-  for (Index t = 0; t < columns; ++t)
-    if (x[t] > 0.5) solution.chosen.push_back(t);
-  if (!is_triangulation(face, solution.chosen)) solution.chosen.clear();
-  return solution;
+  FaceProgram program(face, deadline);
+  const Objective& objective = values.objective();
+  if (objective.aggregate == Aggregate::sum) return best_sum(program, face, values);
+  const bool worst_counts =
+      (objective.aggregate == Aggregate::max) == (objective.direction == Direction::minimize);
+  return worst_counts ? best_worst(program, face, values) : best_best(program, face, values);
 }
 
 }  // namespace hodt

@@ -9,7 +9,8 @@ namespace hodt {
 namespace {
 
 double distance(const Point& a, const Point& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
+  const double x = b.x - a.x, y = b.y - a.y;
+  return std::sqrt(x * x + y * y);
 }
 
 /// Twice the area.
@@ -64,6 +65,13 @@ double half_perimeter(const Point& a, const Point& b, const Point& c) {
 }  // namespace
 
 double TriangleValues::of(VertexId u, VertexId v, VertexId w) const {
+  // Where rounding leaves no area, or coordinates are huge, values can be infinite or undefined.
+  constexpr double kLargest = 1e150;
+  const double value = measured(u, v, w);
+  return std::isnan(value) ? 0 : std::min(value, kLargest);
+}
+
+double TriangleValues::measured(VertexId u, VertexId v, VertexId w) const {
   // The same bits whatever corner comes first.
   VertexId ids[3] = {u, v, w};
   std::sort(std::begin(ids), std::end(ids));

@@ -16,7 +16,7 @@ class TriangleValues {
   TriangleValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z)
       : objective_(objective), xy_(xy), z_(z) {}
 
-  /// The value of a triangle, its corners in any order.
+  /// The value of a triangle, its corners in any order; never negative, at most 1e150.
   double of(VertexId a, VertexId b, VertexId c) const;
 
   /// The sum, the larger or the smaller one. Several values combine alike in any order, up to
@@ -48,6 +48,8 @@ class TriangleValues {
   const Objective& objective() const { return objective_; }
 
  private:
+  double measured(VertexId a, VertexId b, VertexId c) const;
+
   const Objective objective_;
   std::span<const Point> xy_;
   std::span<const double> z_;

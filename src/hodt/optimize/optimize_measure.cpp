@@ -158,8 +158,7 @@ FaceSolution Optimizer::solve_face(const FixedFaces& faces, const Buffer<bool>& 
         sides.emplace_back(graph_.mesh.origin(h), graph_.mesh.target(h));
   const FaceProblem problem = problem_of(face, places, sides);
   if (auto best = polygon.solve(problem, values_)) return *std::move(best);
-  if (is_sum_ && !problem_.deadline.passed())
-    return solve_face_program(problem, values_, problem_.deadline);
+  if (!problem_.deadline.passed()) return solve_face_program(problem, values_, problem_.deadline);
   return {{}, loose_bound(problem)};
 }
 

@@ -1,0 +1,291 @@
+#include "hodt/optimize/optimize_measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "../support/convert.h"
+#include "../support/shapes.h"
+#include <gtest/gtest.h>
+
+#include "hodt/geometry/predicates.h"
+#include "hodt/optimize/measures.h"
+#include "hodt/order/triangulation_order.h"
+
+namespace hodt {
+namespace {
+
+// ---- Measures, written once more, by other formulas. ----
+
+double side(const Point& a, const Point& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// By Heron.
+double heron(double a, double b, double c) {
+  const double s = (a + b + c) / 2;
+  return std::sqrt(std::max(0.0, s * (s - a) * (s - b) * (s - c)));
+}
+
+double expected_value(Measure measure, Aggregate aggregate, const std::array<Point, 3>& p,
+                      bool flat) {
+  std::array<double, 3> s = {side(p[0], p[1]), side(p[1], p[2]), side(p[2], p[0])};
+  std::sort(s.begin(), s.end());
+  const double area = heron(s[0], s[1], s[2]);
+  // Wide enough for the thinnest triangles here.
+  const auto angle = [&](int at) {
+    const Point &a = p[at], &b = p[(at + 1) % 3], &c = p[(at + 2) % 3];
+    const long double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+    const long double cosine =
+        (bx * cx + by * cy) / std::sqrt((bx * bx + by * by) * (cx * cx + cy * cy));
+    const long double sine =
+        (bx * cy - by * cx) / std::sqrt((bx * bx + by * by) * (cx * cx + cy * cy));
+    const auto degrees = [](long double radians) { return double(radians * 180 / M_PIl); };
+    return std::fabs(cosine) < 0.5L ? degrees(std::acos(cosine))
+           : cosine > 0             ? degrees(std::asin(std::fabs(sine)))
+                                    : 180 - degrees(std::asin(std::fabs(sine)));
+  };
+  const std::array<double, 3> angles = {angle(0), angle(1), angle(2)};
+  switch (measure) {
+    case Measure::area:
+      return area;
+    case Measure::angle:
+      return *std::max_element(angles.begin(), angles.end());
+    case Measure::small_angle:
+      return *std::min_element(angles.begin(), angles.end());
+    case Measure::circumradius:
+      return s[0] * s[1] * s[2] / (4 * area);
+    case Measure::enclosing_radius:
+      return s[0] * s[0] + s[1] * s[1] <= s[2] * s[2] ? s[2] / 2 : s[0] * s[1] * s[2] / (4 * area);
+    case Measure::inradius:
+      return 2 * area / (s[0] + s[1] + s[2]);
+    case Measure::length:
+      return aggregate == Aggregate::sum   ? (s[0] + s[1] + s[2]) / 2
+             : aggregate == Aggregate::max ? s[2]
+                                           : s[0];
+    case Measure::flat_area:
+      return flat ? area : 0;
+  }
+  return 0;
+}
+
+const std::vector<Measure> kMeasures = {Measure::area,
+                                        Measure::angle,
+                                        Measure::small_angle,
+                                        Measure::circumradius,
+                                        Measure::enclosing_radius,
+                                        Measure::inradius,
+                                        Measure::length,
+                                        Measure::flat_area};
+
+std::vector<Objective> all_objectives() {
+  std::vector<Objective> all;
+  for (const Direction d : {Direction::minimize, Direction::maximize})
+    for (const Aggregate a : {Aggregate::sum, Aggregate::max, Aggregate::min})
+      for (const Measure m : kMeasures) all.emplace_back(d, a, m);
+  return all;
+}
+
+/// Rounding of thin triangles, as large as the formulas here make it.
+double tolerance(double value) {
+  return 1e-6 * (1 + std::fabs(value));
+}
+
+TEST(TriangleValues, are_those_of_other_formulas) {
+  const support::Points p = support::uniform(60, 5);
+  std::vector<double> z(p.size());
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = double(i % 2);
+  for (const Objective& objective : all_objectives()) {
+    const TriangleValues values(objective, p, z);
+    for (Index i = 0; i + 2 < p.size(); ++i) {
+      const bool flat = z[i] == z[i + 1] && z[i + 1] == z[i + 2];
+      const double expected =
+          expected_value(objective.measure, objective.aggregate, {p[i], p[i + 1], p[i + 2]}, flat);
+      ASSERT_NEAR(values.of(VertexId(i), VertexId(i + 1), VertexId(i + 2)), expected,
+                  tolerance(expected))
+          << name_of(objective);
+    }
+  }
+}
+
+/// All values of all triangulations, looked up by triangle.
+class BruteForce {
+ public:
+  BruteForce(const oracle::Catalogue& catalogue, std::span<const Point> xy,
+             std::span<const double> z)
+      : catalogue_(catalogue), xy_(xy), z_(z) {}
+
+  double value(const Objective& objective, const oracle::Triangles& triangles) const {
+    double value = objective.aggregate == Aggregate::sum   ? 0
+                   : objective.aggregate == Aggregate::max ? -1e300
+                                                           : 1e300;
+    std::vector<oracle::Edge> edges;
+    for (const auto& [a, b, c] : triangles) {
+      const double v = expected_value(objective.measure, objective.aggregate,
+                                      {xy_[a], xy_[b], xy_[c]}, z_[a] == z_[b] && z_[b] == z_[c]);
+      value = objective.aggregate == Aggregate::sum   ? value + v
+              : objective.aggregate == Aggregate::max ? std::max(value, v)
+                                                      : std::min(value, v);
+      for (const auto& [u, w] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        edges.push_back({std::min(u, w), std::max(u, w)});
+    }
+    if (objective.measure == Measure::length && objective.aggregate == Aggregate::sum) {
+      std::sort(edges.begin(), edges.end());
+      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+      value = 0;
+      for (const auto& [u, w] : edges) value += side(xy_[u], xy_[w]);
+    }
+    return value;
+  }
+
+  double optimum(const Objective& objective, int k) const {
+    const bool minimize = objective.direction == Direction::minimize;
+    double best = minimize ? 1e300 : -1e300;
+    for (const oracle::Triangulation& t : catalogue_.triangulations())
+      if (t.order <= k) {
+        const double v = value(objective, t.triangles);
+        best = minimize ? std::min(best, v) : std::max(best, v);
+      }
+    return best;
+  }
+
+ private:
+  const oracle::Catalogue& catalogue_;
+  std::span<const Point> xy_;
+  std::span<const double> z_;
+};
+
+class MeasureFamilies : public testing::TestWithParam<families::Family> {};
+
+/// Against all triangulations: optimal, and said to be, or at least bounded.
+TEST_P(MeasureFamilies, equal_all_triangulations) {
+  const std::string& name = GetParam().name;
+  // What rounding leaves of the measures of some families depends on the formula.
+  const bool is_comparable = [&] {
+    for (const char* part :
+         {"wide_range", "subnormal", "huge", "nearly_collinear", "noisy", "tiny"})
+      if (name.find(part) != name.npos) return false;
+    return true;
+  }();
+  std::size_t solved = 0, asked = 0;
+  std::string unsolved;
+  for (const int n : {4, 6, 7, 8}) {
+    const auto points = GetParam().make(n, 11 * n);
+    const Delaunay d = delaunay(support::to_point_set(points));
+    std::vector<double> z;
+    for (std::size_t i = 0; i < d.vertices.size(); ++i) z.push_back(double(i % 3 == 0));
+    const DelaunayGraph graph(d);
+    const oracle::Instance instance(support::to_oracle(d.vertices.xy));
+    const oracle::Catalogue catalogue(instance);
+    const BruteForce brute_force(catalogue, d.vertices.xy, z);
+    for (const Objective& objective : all_objectives()) {
+      for (const Index k : {0u, 1u, 2u, 3u, 4u}) {
+        const MeasuredSolution solution =
+            optimize_measure({.graph = graph, .z = z, .order = k, .objective = objective});
+        ASSERT_LE(order_histogram(graph, solution.mesh).size(), k + 1) << name_of(objective);
+        ASSERT_TRUE(std::isfinite(solution.result) && std::isfinite(solution.bound));
+        if (!is_comparable) continue;
+        const double optimum = brute_force.optimum(objective, int(k));
+        if (!(std::fabs(optimum) < 1e140)) continue;  // no area left
+        const std::string what = name_of(objective) + " k = " + std::to_string(k) + ' ' +
+                                 support::to_source(d.vertices.xy);
+        const double real = brute_force.value(objective, support::triangles_of(solution.mesh));
+        ASSERT_NEAR(solution.result, real, tolerance(real)) << what;
+        const double sign = objective.direction == Direction::minimize ? 1 : -1;
+        ASSERT_LE(sign * solution.bound, sign * optimum + tolerance(optimum)) << what;
+        ASSERT_GE(sign * solution.result, sign * optimum - tolerance(optimum)) << what;
+        if (solution.optimal) {
+          ASSERT_NEAR(solution.result, optimum, tolerance(optimum)) << what;
+        }
+        if (k <= 1) {
+          ASSERT_TRUE(solution.optimal) << what;
+        }
+        if (!solution.optimal && unsolved.size() < 300) unsolved += what + '\n';
+        solved += solution.optimal;
+        ++asked;
+      }
+    }
+  }
+  EXPECT_EQ(solved, asked) << "so small faces are all solved: " << unsolved;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MeasureFamilies, testing::ValuesIn(families::all()),
+                         [](const auto& each) { return each.param.name; });
+
+// ---- Larger sets: faces with inner components, search and bound. ----
+
+TEST(OptimizeMeasure, larger_sets_are_solved) {
+  for (const support::Points& points : {support::uniform(500, 3), support::clustered(500, 4)}) {
+    const Delaunay d = delaunay({points, {}});
+    const DelaunayGraph graph(d);
+    for (const char* name : {"min-sum-length", "max-sum-small-angle", "min-max-circumradius",
+                             "max-min-inradius", "min-max-length"}) {
+      for (const Index k : {3u, 6u, 9u}) {
+        const Objective objective = objective_from_name(name);
+        const MeasuredSolution best =
+            optimize_measure({.graph = graph, .z = {}, .order = k, .objective = objective});
+        const MeasuredSolution flips = optimize_measure(
+            {.graph = graph, .z = {}, .order = k, .objective = objective, .method = Method::flip});
+        EXPECT_TRUE(best.optimal) << name << ' ' << k << ": " << best.result << ' ' << best.bound;
+        const double sign = objective.direction == Direction::minimize ? 1 : -1;
+        const double slack = 1e-9 * std::fabs(best.result);
+        EXPECT_LE(sign * best.result, sign * flips.result + slack) << name << ' ' << k;
+        EXPECT_LE(sign * flips.result, sign * flips.delaunay + slack) << name << ' ' << k;
+        EXPECT_LE(order_histogram(graph, best.mesh).size(), k + 1);
+        EXPECT_LE(order_histogram(graph, flips.mesh).size(), k + 1);
+      }
+    }
+  }
+}
+
+/// At order 1 the largest values are the least in turn, each as far as the larger ones leave it.
+TEST(OptimizeMeasure, order_1_is_lexicographic) {
+  const Delaunay d = delaunay({support::uniform(400, 7), {}});
+  const DelaunayGraph graph(d);
+  const Objective objective = objective_from_name("min-max-angle");
+  const TriangleValues values(objective, graph.xy, {});
+  const MeasuredSolution best =
+      optimize_measure({.graph = graph, .z = {}, .order = 1, .objective = objective});
+  const auto sorted = [&](const TriangleMesh& mesh) {
+    std::vector<double> all;
+    for (Index t = 0; t < mesh.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.corners(TriangleId(t));
+      all.push_back(values.of(a, b, c));
+    }
+    std::sort(all.begin(), all.end(), std::greater<>());
+    return all;
+  };
+  const std::vector<double> least = sorted(best.mesh);
+  std::size_t flips = 0;
+  for (Index h = 0; h < best.mesh.halfedge_count(); ++h) {
+    TriangleMesh mesh = best.mesh;
+    const HalfEdgeId edge(h);
+    if (mesh.is_boundary(edge)) continue;
+    const Point &a = graph.point(mesh.origin(edge)), &b = graph.point(mesh.target(edge));
+    const Point &c = graph.point(mesh.apex(edge)), &e = graph.point(mesh.apex(mesh.twin(edge)));
+    if (orient(a, e, c) <= 0 || orient(b, c, e) <= 0) continue;
+    mesh.flip(edge);
+    if (order_histogram(graph, mesh).size() > 2) continue;
+    ++flips;
+    EXPECT_LE(least, sorted(mesh));
+  }
+  EXPECT_GT(flips, 100u);
+}
+
+TEST(OptimizeMeasure, a_deadline_leaves_a_valid_mesh_and_bound) {
+  const Delaunay d = delaunay({support::uniform(3000, 9), {}});
+  const DelaunayGraph graph(d);
+  const Objective objective = objective_from_name("min-sum-length");
+  const MeasuredSolution best = optimize_measure(
+      {.graph = graph, .z = {}, .order = 12, .objective = objective, .deadline = Deadline(1e-3)});
+  EXPECT_LE(best.bound, best.result);
+  EXPECT_LE(best.result, best.delaunay);
+  EXPECT_GT(best.bound, 0);
+  EXPECT_LE(order_histogram(graph, best.mesh).size(), 13u);
+}
+
+}  // namespace
+}  // namespace hodt
