@@ -22,6 +22,8 @@ struct FaceProblem {
   std::span<const std::pair<VertexId, VertexId>> sides;
   /// How many triangles any triangulation of the face has.
   std::size_t size = 0;
+  /// What a triangulation at hand has for a value.
+  double value = 0;
 };
 
 struct FaceSolution {

@@ -268,11 +268,15 @@ FaceProgram::Solution FaceProgram::minimize(const std::vector<double>& costs, do
 
 FaceSolution best_sum(FaceProgram& program, const FaceProblem& face, const TriangleValues& values) {
   const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
+  // A triangle that costs more than all of a triangulation at hand is never worth it, however much
+  // more, and a sliver's circumradius would spoil the scale.
+  const double most = sign > 0 ? face.value : std::numeric_limits<double>::infinity();
   double largest = 0;
-  for (const FaceTriangle& t : face.triangles) largest = std::max(largest, std::fabs(t.value));
+  for (const FaceTriangle& t : face.triangles) largest = std::max(largest, std::min(t.value, most));
   if (largest == 0) largest = 1;
   std::vector<double> costs;
-  for (const FaceTriangle& t : face.triangles) costs.push_back(sign * t.value / largest);
+  for (const FaceTriangle& t : face.triangles)
+    costs.push_back(sign * std::min(t.value, most) / largest);
   const FaceProgram::Solution solution = program.minimize(costs);
   // No measure is negative.
   return {solution.chosen, std::max(sign * largest * solution.bound, 0.0)};

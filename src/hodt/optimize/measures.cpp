@@ -13,6 +13,12 @@ double distance(const Point& a, const Point& b) {
   return std::sqrt(x * x + y * y);
 }
 
+/// Where rounding leaves no area, or coordinates are huge, values can be infinite or undefined.
+double finite(double value) {
+  constexpr double kLargest = 1e150;
+  return std::isnan(value) ? 0 : std::min(value, kLargest);
+}
+
 /// Twice the area.
 double cross(const Point& a, const Point& b, const Point& c) {
   return std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
@@ -65,10 +71,7 @@ double half_perimeter(const Point& a, const Point& b, const Point& c) {
 }  // namespace
 
 double TriangleValues::of(VertexId u, VertexId v, VertexId w) const {
-  // Where rounding leaves no area, or coordinates are huge, values can be infinite or undefined.
-  constexpr double kLargest = 1e150;
-  const double value = measured(u, v, w);
-  return std::isnan(value) ? 0 : std::min(value, kLargest);
+  return finite(measured(u, v, w));
 }
 
 double TriangleValues::measured(VertexId u, VertexId v, VertexId w) const {
@@ -131,7 +134,8 @@ double TriangleValues::of(const TriangleMesh& mesh) const {
   if (objective_.measure == Measure::length && objective_.aggregate == Aggregate::sum)
     for (Index h = 0; h < mesh.halfedge_count(); ++h)
       if (mesh.is_boundary(HalfEdgeId(h)))
-        value += distance(xy_[mesh.origin(HalfEdgeId(h))], xy_[mesh.target(HalfEdgeId(h))]) / 2;
+        value +=
+            finite(distance(xy_[mesh.origin(HalfEdgeId(h))], xy_[mesh.target(HalfEdgeId(h))])) / 2;
   return value;
 }
 

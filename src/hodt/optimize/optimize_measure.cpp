@@ -76,7 +76,8 @@ class Optimizer {
                          std::span<const std::pair<VertexId, VertexId>> sides) const {
     return {{triangles_.data() + first_[face], triangles_.data() + first_[face + 1]},
             sides,
-            places.size()};
+            places.size(),
+            value_in_mesh(places)};
   }
   double value_in_mesh(std::span<const TriangleId> places) const {
     double value = values_.neutral();
