@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -98,6 +99,12 @@ bool is_triangulation(const FaceProblem& face, const std::vector<Index>& chosen)
   return true;
 }
 
+double cost_of(const std::vector<Index>& chosen, const std::vector<double>& costs) {
+  double sum = 0;
+  for (const Index t : chosen) sum += costs[t];
+  return sum;
+}
+
 /// The linear program of a face, for one vector of costs after another.
 class FaceProgram {
  public:
@@ -117,12 +124,12 @@ class FaceProgram {
                     double too_much = std::numeric_limits<double>::infinity());
 
  private:
-  /// Triangles that are in (1) or out (0), on the way to this part of all triangulations.
+  /// Triangles that are in or out, on the way to this part of all triangulations.
   struct Node {
     double bound;
     std::size_t number;  // breaks ties
     std::vector<std::pair<Index, bool>> fixed;
-    bool operator<(const Node& other) const {  // the lowest bound is the top of a heap
+    bool operator<(const Node& other) const {  // the lowest bound comes first
       return std::tuple(bound, number) > std::tuple(other.bound, other.number);
     }
   };
@@ -130,7 +137,7 @@ class FaceProgram {
   void load(const std::vector<double>& costs);
   void relax(const Node& node);
   double bound(const std::vector<double>& costs) const;
-  Index most_fractional() const;
+  Index largest_fraction() const;
   std::vector<Index> rounded() const;
 
   const FaceProblem& face_;
@@ -199,17 +206,12 @@ double FaceProgram::bound(const std::vector<double>& costs) const {
   return sum + below + above - terms * 0x1p-52 * (size - below + above);
 }
 
-Index FaceProgram::most_fractional() const {
+Index FaceProgram::largest_fraction() const {
   const double* x = Clp_getColSolution(model_.get());
-  Index most = kNone;
-  double distance = 1e-6;
-  for (Index t = 0; t < low_.size(); ++t) {
-    const double d = std::min(x[t], 1 - x[t]);
-    if (d <= distance) continue;
-    distance = d;
-    most = t;
-  }
-  return most;
+  Index largest = kNone;
+  for (Index t = 0; t < low_.size(); ++t)
+    if (x[t] > 1e-6 && x[t] < 1 - 1e-6 && (largest == kNone || x[t] > x[largest])) largest = t;
+  return largest;
 }
 
 std::vector<Index> FaceProgram::rounded() const {
@@ -221,48 +223,50 @@ std::vector<Index> FaceProgram::rounded() const {
   return chosen;
 }
 
+/// Best first, but each time down to a triangulation: a triangle that is mostly in is taken in, and
+/// the case without it is left for later.
 FaceProgram::Solution FaceProgram::minimize(const std::vector<double>& costs, double too_much) {
   constexpr double kEnough = 1e-10;  // of a face's value, for each of its triangles
   load(costs);
   Solution best{{}, 0};
   double cost = std::numeric_limits<double>::infinity();
   const double tolerance = kEnough * double(face_.size);
-  std::vector<Node> heap{{-std::numeric_limits<double>::infinity(), 0, {}}};
-  std::size_t count = 1;
-  for (std::size_t nodes = 0; nodes < kMostNodes; ++nodes) {
-    const double least = heap.front().bound;
-    if (least >= cost - tolerance || least > too_much || (nodes > 0 && deadline_.passed())) break;
-    std::pop_heap(heap.begin(), heap.end());
-    Node node = std::move(heap.back());
-    heap.pop_back();
-    relax(node);
-    node.bound = std::max(node.bound, bound(costs));
-    if (std::vector<Index> chosen = rounded(); !chosen.empty()) {
-      double sum = 0;
-      for (const Index t : chosen) sum += costs[t];
+  double settled = cost;  // no triangulation in the parts that are left alone costs less
+  std::priority_queue<Node> open;
+  open.push({-cost, 0, {}});
+  std::size_t nodes = 0;
+  const auto is_over = [&] {
+    return open.empty() || open.top().bound >= cost - tolerance ||
+           std::min(open.top().bound, settled) > too_much ||
+           (nodes > 0 && (nodes >= kMostNodes || deadline_.passed()));
+  };
+  while (!is_over()) {
+    Node node = open.top();
+    open.pop();
+    for (;;) {
+      relax(node);
+      node.bound = std::max(node.bound, bound(costs));
+      ++nodes;
+      std::vector<Index> chosen = rounded();
+      const double sum = chosen.empty() ? cost : cost_of(chosen, costs);
       if (sum < cost) {
         cost = sum;
         best.chosen = std::move(chosen);
       }
-    }
-    const Index t = node.bound < cost - tolerance ? most_fractional() : kNone;
-    // Not to branch keeps the bound: it may be as good as the cost, or all that is known.
-    const auto push = [&](const Node& child) {
-      heap.push_back(child);
-      std::push_heap(heap.begin(), heap.end());
-    };
-    if (t == kNone) {
-      push(node);
-      if (node.bound < cost - tolerance) break;
-      continue;
-    }
-    for (const bool is_in : {true, false}) {
-      Node child{node.bound, count++, node.fixed};
-      child.fixed.emplace_back(t, is_in);
-      push(child);
+      const Index t = nodes < kMostNodes && !deadline_.passed() ? largest_fraction() : kNone;
+      if (node.bound >= cost - tolerance || t == kNone) {
+        settled = std::min(settled, node.bound);
+        break;
+      }
+      Node without = node;
+      without.number = nodes;
+      without.fixed.emplace_back(t, false);
+      open.push(std::move(without));
+      node.fixed.emplace_back(t, true);
     }
   }
-  best.bound = std::min(cost, heap.front().bound);
+  best.bound = std::min(cost, settled);
+  if (!open.empty()) best.bound = std::min(best.bound, open.top().bound);
   return best;
 }
 
@@ -319,6 +323,20 @@ FaceSolution best_worst(FaceProgram& program, const FaceProblem& face,
     if (first > last || (first == last && middle == last)) break;
   }
   best.bound = candidates[std::min(proven, candidates.size() - 1)];
+  if (best.chosen.empty()) return best;
+  // With the worst value as it is, the best sum.
+  double worst = face.triangles[best.chosen.front()].value;
+  for (const Index t : best.chosen) worst = values.combine(worst, face.triangles[t].value);
+  const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
+  double largest = std::max(worst, face.triangles[best.chosen.front()].value);
+  if (largest == 0) largest = 1;
+  std::vector<double> costs;
+  for (const FaceTriangle& t : face.triangles)
+    costs.push_back(values.better(worst, t.value) ? 2 : sign * std::min(1.0, t.value / largest));
+  FaceProgram::Solution rest = program.minimize(costs);
+  if (!rest.chosen.empty() &&
+      std::none_of(rest.chosen.begin(), rest.chosen.end(), [&](Index t) { return costs[t] == 2; }))
+    best.chosen = std::move(rest.chosen);
   return best;
 }
 

@@ -215,6 +215,9 @@ void Optimizer::solve_faces() {
     else if (!is_sum_)
       fixed_ = values_.combine(fixed_, value_in_mesh(faces.triangles(face)));
   }
+  // Below the largest (or smallest) value of a face there may be something left to gain.
+  if (!is_sum_)
+    improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
 }
 
 }  // namespace
