@@ -4,13 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "hodt/base/parallel.h"
+
 namespace hodt {
 
 namespace {
 
-double distance(const Point& a, const Point& b) {
+double squared(const Point& a, const Point& b) {
   const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
+  return x * x + y * y;
+}
+
+double distance(const Point& a, const Point& b) {
+  return std::sqrt(squared(a, b));
 }
 
 /// Where rounding leaves no area, or coordinates are huge, values can be infinite or undefined.
@@ -35,12 +41,15 @@ double area(const Point& a, const Point& b, const Point& c) {
   return cross(a, b, c) / 2;
 }
 
+/// Opposite to the longest edge.
 double largest_angle(const Point& a, const Point& b, const Point& c) {
-  return std::max({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+  const double ab = squared(a, b), bc = squared(b, c), ca = squared(c, a);
+  return bc >= ab && bc >= ca ? angle(a, b, c) : ca >= ab ? angle(b, c, a) : angle(c, a, b);
 }
 
 double smallest_angle(const Point& a, const Point& b, const Point& c) {
-  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+  const double ab = squared(a, b), bc = squared(b, c), ca = squared(c, a);
+  return bc <= ab && bc <= ca ? angle(a, b, c) : ca <= ab ? angle(b, c, a) : angle(c, a, b);
 }
 
 double longest_edge(const Point& a, const Point& b, const Point& c) {
@@ -125,12 +134,20 @@ bool TriangleValues::better_pair(double a1, double a2, double b1, double b2) con
   return better(a1 == a ? a2 : a1, b1 == b ? b2 : b1);
 }
 
-double TriangleValues::of(const TriangleMesh& mesh) const {
+Buffer<double> TriangleValues::of_each(const TriangleMesh& mesh) const {
+  Buffer<double> values(mesh.triangle_count());
+  parallel_for(0, values.size(), 1 << 14, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const auto [a, b, c] = mesh.corners(TriangleId(Index(t)));
+      values[t] = of(a, b, c);
+    }
+  });
+  return values;
+}
+
+double TriangleValues::of(const TriangleMesh& mesh, std::span<const double> each) const {
   double value = neutral();
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const auto [a, b, c] = mesh.corners(TriangleId(t));
-    value = combine(value, of(a, b, c));
-  }
+  for (const double v : each) value = combine(value, v);
   if (objective_.measure == Measure::length && objective_.aggregate == Aggregate::sum)
     for (Index h = 0; h < mesh.halfedge_count(); ++h)
       if (mesh.is_boundary(HalfEdgeId(h)))

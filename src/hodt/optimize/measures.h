@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "hodt/base/buffer.h"
 #include "hodt/geometry/point.h"
 #include "hodt/mesh/triangle_mesh.h"
 #include "hodt/optimize/objective.h"
@@ -42,8 +43,10 @@ class TriangleValues {
   /// lexicographically (the sorted values) for max and min.
   bool better_pair(double a1, double a2, double b1, double b2) const;
 
-  /// The objective's value of a triangulation.
-  double of(const TriangleMesh& mesh) const;
+  /// The value of every triangle.
+  Buffer<double> of_each(const TriangleMesh& mesh) const;
+  /// The objective's value of a triangulation, given those of its triangles.
+  double of(const TriangleMesh& mesh, std::span<const double> each) const;
 
   const Objective& objective() const { return objective_; }
 

@@ -30,7 +30,8 @@ class Optimizer {
         values_(problem.objective, graph_.xy, problem.z),
         is_sum_(problem.objective.aggregate == Aggregate::sum) {
     solution_.mesh = graph_.mesh;
-    solution_.delaunay = values_.of(graph_.mesh);
+    each_ = values_.of_each(graph_.mesh);
+    solution_.delaunay = values_.of(graph_.mesh, each_);
   }
 
   MeasuredSolution run() && {
@@ -38,7 +39,8 @@ class Optimizer {
       flip_quadrilaterals();
     else if (problem_.order > 1)
       solve_faces();
-    solution_.result = values_.of(solution_.mesh);
+    if (problem_.order > 1) each_ = values_.of_each(solution_.mesh);
+    solution_.result = values_.of(solution_.mesh, each_);
     // Each face lost as much as that, or nothing.
     solution_.bound = is_sum_ ? solution_.result - gap_ : values_.combine(bound_, fixed_);
     if (problem_.order <= 1) solution_.bound = solution_.result;
@@ -48,22 +50,36 @@ class Optimizer {
   }
 
  private:
-  /// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere.
+  /// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere. Most are
+  /// good as they are, so what takes longest is asked last.
   void flip_quadrilaterals() {
-    const std::vector<HalfEdgeId> edges = first_order_edges(graph_);
     const TriangleMesh& mesh = graph_.mesh;
-    Buffer<bool> flips(edges.size());
-    parallel_for(0, edges.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const HalfEdgeId h = edges[i];
-        const VertexId a = mesh.origin(h), b = mesh.target(h);
-        const VertexId c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
-        flips[i] = values_.better_pair(values_.of(a, d, c), values_.of(b, c, d),
-                                       values_.of(a, b, c), values_.of(b, a, d));
+    const auto edges = parallel_collect<HalfEdgeId>(
+        0, mesh.halfedge_count(), 1 << 14,
+        [&](std::size_t first, std::size_t last, std::vector<HalfEdgeId>& found) {
+          for (std::size_t i = first; i < last; ++i) {
+            const HalfEdgeId h{Index(i)};
+            if (mesh.is_boundary(h) || mesh.twin(h) < h) continue;
+            if (is_better_flipped(h) && is_first_order_flippable(graph_, h)) found.push_back(h);
+          }
+        });
+    for (const HalfEdgeId h : edges) {
+      const HalfEdgeId diagonal = solution_.mesh.flip(h);
+      for (const HalfEdgeId side : {diagonal, solution_.mesh.twin(diagonal)}) {
+        const auto [a, b, c] = solution_.mesh.corners(TriangleMesh::triangle(side));
+        each_[TriangleMesh::triangle(side)] = values_.of(a, b, c);
       }
-    });
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (flips[i]) solution_.mesh.flip(edges[i]);
+    }
+  }
+
+  bool is_better_flipped(HalfEdgeId h) const {
+    const TriangleMesh& mesh = graph_.mesh;
+    const HalfEdgeId twin = mesh.twin(h);
+    const VertexId a = mesh.origin(h), b = mesh.target(h);
+    const VertexId c = mesh.apex(h), d = mesh.apex(twin);
+    return values_.better_pair(values_.of(a, d, c), values_.of(b, c, d),
+                               each_[TriangleMesh::triangle(h)],
+                               each_[TriangleMesh::triangle(twin)]);
   }
 
   void solve_faces();
@@ -94,6 +110,7 @@ class Optimizer {
   const TriangleValues values_;
   const bool is_sum_;
   MeasuredSolution solution_;
+  Buffer<double> each_;                  // the values of its triangles
   double gap_ = 0;                       // of sums
   double bound_ = values_.neutral();     // of the others: of the faces
   double fixed_ = values_.neutral();     // and of the triangles that are always there
