@@ -1,5 +1,11 @@
 #include "hodt/optimize/flips.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "hodt/geometry/predicates.h"
@@ -9,12 +15,20 @@ namespace hodt {
 
 namespace {
 
+/// The corners of the two triangles at an inner edge ab: abc on the left, and bad.
+struct Quadrilateral {
+  VertexId a, b, c, d;
+};
+
+/// `Better` says of a quadrilateral whose diagonal ab could be replaced by dc whether that is
+/// better.
+template <class Better>
 class Flipper {
  public:
-  Flipper(const DelaunayGraph& graph, const TriangleValues& values, Index k, TriangleMesh& mesh)
+  Flipper(const DelaunayGraph& graph, Index k, const Better& better, TriangleMesh& mesh)
       : graph_(graph),
-        values_(values),
         k_(k),
+        better_(better),
         mesh_(mesh),
         counter_(graph),
         queued_(mesh.halfedge_count(), false) {}
@@ -38,40 +52,95 @@ class Flipper {
   }
 
   bool improves(HalfEdgeId h) {
-    const HalfEdgeId twin = mesh_.twin(h);
-    const VertexId a = mesh_.origin(h), b = mesh_.target(h);
-    const VertexId c = mesh_.apex(h), d = mesh_.apex(twin);
-    const Point &pa = graph_.point(a), &pb = graph_.point(b);
-    const Point &pc = graph_.point(c), &pd = graph_.point(d);
-    if (orient(pa, pd, pc) <= 0 || orient(pb, pc, pd) <= 0) return false;  // not convex
-    if (!values_.better_pair(values_.of(a, d, c), values_.of(b, c, d), values_.of(a, b, c),
-                             values_.of(b, a, d)))
-      return false;
-    return counter_.count(a, d, c, k_) <= k_ && counter_.count(b, c, d, k_) <= k_;
+    if (mesh_.is_boundary(h)) return false;  // since it was queued, it came to name another edge
+    const Quadrilateral q{mesh_.origin(h), mesh_.target(h), mesh_.apex(h),
+                          mesh_.apex(mesh_.twin(h))};
+    const Point &a = graph_.point(q.a), &b = graph_.point(q.b);
+    const Point &c = graph_.point(q.c), &d = graph_.point(q.d);
+    if (orient(a, d, c) <= 0 || orient(b, c, d) <= 0) return false;  // not convex
+    return better_(mesh_, h, q) && counter_.count(q.a, q.d, q.c, k_) <= k_ &&
+           counter_.count(q.b, q.c, q.d, k_) <= k_;
   }
 
   void flip(HalfEdgeId h) {
     const HalfEdgeId diagonal = mesh_.flip(h);
-    const HalfEdgeId twin = mesh_.twin(diagonal);
-    for (const HalfEdgeId side : {TriangleMesh::next(diagonal), TriangleMesh::prev(diagonal),
-                                  TriangleMesh::next(twin), TriangleMesh::prev(twin)})
-      push(side);
+    for (const HalfEdgeId inner : {diagonal, mesh_.twin(diagonal)}) {
+      for (const HalfEdgeId side : {TriangleMesh::next(inner), TriangleMesh::prev(inner)}) {
+        push(side);
+        // What flipping these would change includes the sides.
+        if (mesh_.is_boundary(side)) continue;
+        push(TriangleMesh::next(mesh_.twin(side)));
+        push(TriangleMesh::prev(mesh_.twin(side)));
+      }
+    }
   }
 
   const DelaunayGraph& graph_;
-  const TriangleValues& values_;
   const Index k_;
+  const Better& better_;
   TriangleMesh& mesh_;
   CircleCounter counter_;
   std::vector<bool> queued_;
   std::vector<HalfEdgeId> queue_;
 };
 
+/// What a flip changes; 0 where there is no such edge, before and after.
+using FiveValues = std::array<double, 5>;
+
+/// By the sum, or lexicographically by the sorted values, the one that counts most first.
+bool better_values(const Combination& combination, FiveValues fresh, FiveValues old) {
+  const Aggregate aggregate = combination.objective().aggregate;
+  if (aggregate == Aggregate::sum) {
+    const double sum = std::accumulate(fresh.begin(), fresh.end(), 0.0);
+    const double before = std::accumulate(old.begin(), old.end(), 0.0);
+    // What rounding can have made of equal sums is no gain.
+    return combination.better(sum, before) && std::fabs(sum - before) > 1e-13 * (sum + before);
+  }
+  for (FiveValues* values : {&fresh, &old}) {
+    std::sort(values->begin(), values->end());
+    if (aggregate == Aggregate::max) std::reverse(values->begin(), values->end());
+  }
+  for (std::size_t i = 0; i < fresh.size(); ++i)
+    if (fresh[i] != old[i]) return combination.better(fresh[i], old[i]);
+  return false;
+}
+
+bool better_across_edges(const EdgeValues& values, const TriangleMesh& mesh, HalfEdgeId h,
+                         const Quadrilateral& q) {
+  FiveValues fresh{values.of(q.d, q.c, q.a, q.b)}, old{values.of(q.a, q.b, q.c, q.d)};
+  std::size_t count = 1;
+  const HalfEdgeId twin = mesh.twin(h);
+  // Each side, and the corner that its triangle has after the flip.
+  const std::pair<HalfEdgeId, VertexId> sides[] = {{TriangleMesh::next(h), q.d},
+                                                   {TriangleMesh::prev(h), q.d},
+                                                   {TriangleMesh::next(twin), q.c},
+                                                   {TriangleMesh::prev(twin), q.c}};
+  for (const auto& [side, apex] : sides) {
+    if (mesh.is_boundary(side)) continue;
+    const VertexId beyond = mesh.apex(mesh.twin(side));
+    fresh[count] = values.of(mesh.origin(side), mesh.target(side), apex, beyond);
+    old[count++] = values.of(mesh, side);
+  }
+  return better_values(values, fresh, old);
+}
+
 }  // namespace
 
 void improve_by_flips(const DelaunayGraph& graph, const TriangleValues& values, Index k,
                       const Deadline& deadline, TriangleMesh& mesh) {
-  Flipper(graph, values, k, mesh).run(deadline);
+  const auto better = [&](const TriangleMesh&, HalfEdgeId, const Quadrilateral& q) {
+    return values.better_pair(values.of(q.a, q.d, q.c), values.of(q.b, q.c, q.d),
+                              values.of(q.a, q.b, q.c), values.of(q.b, q.a, q.d));
+  };
+  Flipper(graph, k, better, mesh).run(deadline);
+}
+
+void improve_by_flips(const DelaunayGraph& graph, const EdgeValues& values, Index k,
+                      const Deadline& deadline, TriangleMesh& mesh) {
+  const auto better = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral& q) {
+    return better_across_edges(values, m, h, q);
+  };
+  Flipper(graph, k, better, mesh).run(deadline);
 }
 
 }  // namespace hodt

@@ -19,12 +19,6 @@ double distance(const Point& a, const Point& b) {
   return std::sqrt(squared(a, b));
 }
 
-/// Where rounding leaves no area, or coordinates are huge, values can be infinite or undefined.
-double finite(double value) {
-  constexpr double kLargest = 1e150;
-  return std::isnan(value) ? 0 : std::min(value, kLargest);
-}
-
 /// Twice the area.
 double cross(const Point& a, const Point& b, const Point& c) {
   return std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
@@ -79,6 +73,11 @@ double half_perimeter(const Point& a, const Point& b, const Point& c) {
 
 }  // namespace
 
+double finite(double value) {
+  constexpr double kLargest = 1e150;
+  return std::isnan(value) ? 0 : std::min(value, kLargest);
+}
+
 double TriangleValues::of(VertexId u, VertexId v, VertexId w) const {
   return finite(measured(u, v, w));
 }
@@ -88,7 +87,7 @@ double TriangleValues::measured(VertexId u, VertexId v, VertexId w) const {
   VertexId ids[3] = {u, v, w};
   std::sort(std::begin(ids), std::end(ids));
   const Point &a = xy_[ids[0]], &b = xy_[ids[1]], &c = xy_[ids[2]];
-  switch (objective_.measure) {
+  switch (objective().measure) {
     case Measure::area:
       return area(a, b, c);
     case Measure::angle:
@@ -102,30 +101,22 @@ double TriangleValues::measured(VertexId u, VertexId v, VertexId w) const {
     case Measure::inradius:
       return inradius(a, b, c);
     case Measure::length:
-      return objective_.aggregate == Aggregate::sum   ? half_perimeter(a, b, c)
-             : objective_.aggregate == Aggregate::max ? longest_edge(a, b, c)
-                                                      : shortest_edge(a, b, c);
+      return objective().aggregate == Aggregate::sum   ? half_perimeter(a, b, c)
+             : objective().aggregate == Aggregate::max ? longest_edge(a, b, c)
+                                                       : shortest_edge(a, b, c);
     case Measure::flat_area:
       return z_[u] == z_[v] && z_[v] == z_[w] ? area(a, b, c) : 0;
-  }
-  return 0;
-}
-
-double TriangleValues::neutral() const {
-  switch (objective_.aggregate) {
-    case Aggregate::sum:
-      return 0;
-    case Aggregate::max:
-      return -std::numeric_limits<double>::infinity();
-    case Aggregate::min:
-      return std::numeric_limits<double>::infinity();
+    case Measure::abn:
+    case Measure::jnd:
+    case Measure::wabn:
+      break;  // of edges
   }
   return 0;
 }
 
 bool TriangleValues::better_pair(double a1, double a2, double b1, double b2) const {
   const double a = combine(a1, a2), b = combine(b1, b2);
-  if (objective_.aggregate == Aggregate::sum) {
+  if (objective().aggregate == Aggregate::sum) {
     // What rounding can have made of equal sums is no gain.
     const double tiny = 1e-14 * (std::fabs(a1) + std::fabs(a2) + std::fabs(b1) + std::fabs(b2));
     return better(a, b) && std::fabs(a - b) > tiny;
@@ -148,7 +139,7 @@ Buffer<double> TriangleValues::of_each(const TriangleMesh& mesh) const {
 double TriangleValues::of(const TriangleMesh& mesh, std::span<const double> each) const {
   double value = neutral();
   for (const double v : each) value = combine(value, v);
-  if (objective_.measure == Measure::length && objective_.aggregate == Aggregate::sum)
+  if (objective().measure == Measure::length && objective().aggregate == Aggregate::sum)
     for (Index h = 0; h < mesh.halfedge_count(); ++h)
       if (mesh.is_boundary(HalfEdgeId(h)))
         value +=

@@ -34,7 +34,7 @@ constexpr std::array<Named<Aggregate>, 3> kAggregates = {{
     {"min", Aggregate::min},
 }};
 
-constexpr std::array<Named<Measure>, 8> kMeasures = {{
+constexpr std::array<Named<Measure>, 11> kMeasures = {{
     {"area", Measure::area},
     {"angle", Measure::angle},
     {"small-angle", Measure::small_angle},
@@ -43,6 +43,9 @@ constexpr std::array<Named<Measure>, 8> kMeasures = {{
     {"inradius", Measure::inradius},
     {"length", Measure::length},
     {"flat-area", Measure::flat_area},
+    {"abn", Measure::abn},
+    {"jnd", Measure::jnd},
+    {"wabn", Measure::wabn},
 }};
 
 constexpr std::array<Named<Method>, 3> kMethods = {{

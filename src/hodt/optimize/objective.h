@@ -7,8 +7,9 @@
 
 namespace hodt {
 
-/// What is measured of a triangle. All planar (x, y), but for flat_area; lengths and areas in units
-/// of the coordinates, angles in degrees. measures.h has the functions.
+/// What is measured of a triangle, or of two triangles across an edge. All planar (x, y) but for
+/// flat_area and those across edges; lengths and areas in units of the coordinates, angles in
+/// degrees. measures.h and edge_measures.h have the functions.
 enum class Measure : std::uint8_t {
   area,
   angle,        ///< the largest
@@ -18,7 +19,14 @@ enum class Measure : std::uint8_t {
   inradius,
   length,     ///< of edges: a sum counts every edge once
   flat_area,  ///< the area, if all three heights are equal, else 0
+  abn,        ///< the angle between the normals across an inner edge
+  jnd,        ///< the jump of the normal derivative across an inner edge
+  wabn,       ///< the planar length of an inner edge times its abn
 };
+
+inline bool is_of_edges(Measure measure) {
+  return measure == Measure::abn || measure == Measure::jnd || measure == Measure::wabn;
+}
 
 enum class Aggregate : std::uint8_t { sum, max, min };
 enum class Direction : std::uint8_t { minimize, maximize };
@@ -68,7 +76,8 @@ inline bool counts_extrema(Objective objective) {
 }
 inline bool needs_heights(Objective objective) {
   return counts_extrema(objective) ||
-         (objective.kind == Objective::measured && objective.measure == Measure::flat_area);
+         (objective.kind == Objective::measured &&
+          (objective.measure == Measure::flat_area || is_of_edges(objective.measure)));
 }
 
 }  // namespace hodt

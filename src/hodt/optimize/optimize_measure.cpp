@@ -11,6 +11,7 @@
 #include "hodt/optimize/face_program.h"
 #include "hodt/optimize/flips.h"
 #include "hodt/optimize/measures.h"
+#include "hodt/optimize/optimize_edge_measure.h"
 #include "hodt/optimize/polygon_optimum.h"
 #include "hodt/order/first_order.h"
 #include "hodt/order/fixed_edges.h"
@@ -240,6 +241,7 @@ void Optimizer::solve_faces() {
 }  // namespace
 
 MeasuredSolution optimize_measure(const MeasureProblem& problem) {
+  if (is_of_edges(problem.objective.measure)) return optimize_edge_measure(problem);
   return Optimizer(problem).run();
 }
 
