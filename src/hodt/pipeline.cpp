@@ -11,6 +11,7 @@
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/optimize/first_order_extrema.h"
+#include "hodt/optimize/minimize_degree.h"
 #include "hodt/optimize/optimize_measure.h"
 #include "hodt/optimize/remove_extrema.h"
 #include "hodt/order/delaunay_graph.h"
@@ -108,6 +109,8 @@ Optimum optimize(const DelaunayGraph& graph, const VertexSet& vertices,
                                   .method = options.method,
                                   .deadline = deadline,
                                   .progress = options.progress}));
+  if (options.objective == Objective::min_max_degree)
+    return from(minimize_degree(graph, order, deadline));
   if (options.order == 1 && options.objective == Objective::min_local_extrema)
     return from(minimize_first_order_extrema(graph, vertices.z));
   return from(remove_extrema({.graph = graph,

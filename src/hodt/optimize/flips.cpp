@@ -143,4 +143,28 @@ void improve_by_flips(const DelaunayGraph& graph, const EdgeValues& values, Inde
   Flipper(graph, k, better, mesh).run(deadline);
 }
 
+void reduce_degrees_by_flips(const DelaunayGraph& graph, Index k, const Deadline& deadline,
+                             TriangleMesh& mesh) {
+  // Read off around a vertex: flips leave nothing to keep up to date.
+  const auto degree = [](const TriangleMesh& m, HalfEdgeId h) {
+    Index count = 0;
+    HalfEdgeId at = h;
+    do {
+      ++count;
+      at = m.rotate_ccw(at);
+    } while (at.valid() && at != h);
+    if (at == h) return count;
+    for (at = m.rotate_cw(h); at.valid(); at = m.rotate_cw(at)) ++count;
+    return count + 1;  // the last boundary edge is nobody's outgoing half-edge
+  };
+  const auto better = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral&) {
+    const HalfEdgeId twin = m.twin(h);
+    const Index ends = std::max(degree(m, h), degree(m, twin));
+    const Index others =
+        std::max(degree(m, TriangleMesh::prev(h)), degree(m, TriangleMesh::prev(twin)));
+    return others + 1 < ends;
+  };
+  Flipper(graph, k, better, mesh).run(deadline);
+}
+
 }  // namespace hodt

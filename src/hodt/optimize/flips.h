@@ -19,4 +19,9 @@ void improve_by_flips(const DelaunayGraph& graph, const TriangleValues& values, 
 void improve_by_flips(const DelaunayGraph& graph, const EdgeValues& values, Index k,
                       const Deadline& deadline, TriangleMesh& mesh);
 
+/// The same for vertex degrees: the sorted degrees, the largest first, become lexicographically
+/// smaller with each flip.
+void reduce_degrees_by_flips(const DelaunayGraph& graph, Index k, const Deadline& deadline,
+                             TriangleMesh& mesh);
+
 }  // namespace hodt

@@ -16,10 +16,11 @@ namespace {
 template <class T>
 using Named = std::pair<std::string_view, T>;
 
-constexpr std::array<Named<Objective::Kind>, 4> kKinds = {{
+constexpr std::array<Named<Objective::Kind>, 5> kKinds = {{
     {"min-local-minima", Objective::min_local_minima},
     {"min-local-maxima", Objective::min_local_maxima},
     {"min-local-extrema", Objective::min_local_extrema},
+    {"min-max-degree", Objective::min_max_degree},
     {"none", Objective::none},
 }};
 

@@ -37,7 +37,8 @@ struct Objective {
     min_local_minima,
     min_local_maxima,
     min_local_extrema,
-    measured,  ///< the sum, largest or smallest value of a measure over all triangles
+    min_max_degree,  ///< of vertices
+    measured,        ///< the sum, largest or smallest value of a measure over all triangles
   };
 
   constexpr Objective(Kind k = none) : kind(k) {}  // NOLINT: a kind is an objective

@@ -1,0 +1,104 @@
+#include "hodt/optimize/minimize_degree.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "hodt/optimize/degree_choices.h"
+#include "hodt/optimize/flips.h"
+#include "hodt/order/first_order.h"
+#include "hodt/order/fixed_edges.h"
+
+namespace hodt {
+
+namespace {
+
+/// Every edge once: as a half-edge on the boundary, or the smaller of the two.
+template <class F>
+void for_each_edge_of(const TriangleMesh& mesh, const F& f) {
+  for (Index i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfEdgeId h(i);
+    if (mesh.is_boundary(h) || h < mesh.twin(h)) f(h);
+  }
+}
+
+Index largest(const std::vector<Index>& degrees) {
+  return *std::max_element(degrees.begin(), degrees.end());
+}
+
+std::vector<Index> degrees_of(const TriangleMesh& mesh) {
+  std::vector<Index> degrees(mesh.vertex_count(), 0);
+  for_each_edge_of(mesh, [&](HalfEdgeId h) {
+    ++degrees[mesh.origin(h)];
+    ++degrees[mesh.target(h)];
+  });
+  return degrees;
+}
+
+/// Somebody has at least the average.
+Index average_degree(const TriangleMesh& mesh) {
+  std::size_t ends = 0;
+  for_each_edge_of(mesh, [&](HalfEdgeId) { ends += 2; });
+  return static_cast<Index>((ends + mesh.vertex_count() - 1) / mesh.vertex_count());
+}
+
+/// Sets the mesh to a triangulation of order 1; returns a proven lower bound.
+Index choose_diagonals(const DelaunayGraph& graph, TriangleMesh& mesh) {
+  const std::vector<HalfEdgeId> diagonals = first_order_edges(graph);
+  std::vector<Index> base = degrees_of(mesh);
+  const Index delaunay = largest(base);
+  std::vector<DegreeChoices::Corners> corners;
+  for (const HalfEdgeId h : diagonals) {
+    const VertexId a = mesh.origin(h), b = mesh.target(h);
+    --base[a];
+    --base[b];
+    corners.push_back({a, b, mesh.apex(h), mesh.apex(mesh.twin(h))});
+  }
+  Index bound = average_degree(mesh);
+  const DegreeChoices choices(std::move(base), std::move(corners));
+  std::vector<bool> chosen(diagonals.size(), false);
+  bool all_proven = true;
+  for (Index most = bound; most < delaunay; ++most) {
+    const DegreeChoices::Answer answer = choices.keep_below(most, chosen);
+    if (answer == DegreeChoices::Answer::possible) break;
+    all_proven &= answer == DegreeChoices::Answer::impossible;
+    if (all_proven) bound = most + 1;
+  }
+  for (std::size_t q = 0; q < diagonals.size(); ++q)
+    if (chosen[q]) mesh.flip(diagonals[q]);
+  return bound;
+}
+
+/// The fixed edges at a vertex are always there.
+Index fixed_bound(const DelaunayGraph& graph, Index order) {
+  const Buffer<bool> fixed = fixed_edges(graph, order);
+  std::vector<Index> degrees(graph.mesh.vertex_count(), 0);
+  for_each_edge_of(graph.mesh, [&](HalfEdgeId h) {
+    if (!fixed[h]) return;
+    ++degrees[graph.mesh.origin(h)];
+    ++degrees[graph.mesh.target(h)];
+  });
+  return largest(degrees);
+}
+
+}  // namespace
+
+MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
+                                 const Deadline& deadline) {
+  MeasuredSolution solution;
+  solution.mesh = graph.mesh;
+  const Index delaunay = largest(degrees_of(graph.mesh));
+  Index bound = order == 0 ? delaunay : choose_diagonals(graph, solution.mesh);
+  if (order > 1) {
+    bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
+    reduce_degrees_by_flips(graph, order, deadline, solution.mesh);
+  }
+  const Index result = largest(degrees_of(solution.mesh));
+  solution.delaunay = delaunay;
+  solution.result = result;
+  solution.bound = bound;
+  solution.optimal = result == bound;
+  return solution;
+}
+
+}  // namespace hodt

@@ -1,0 +1,88 @@
+#include "hodt/optimize/minimize_degree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../support/convert.h"
+#include "../support/shapes.h"
+#include <gtest/gtest.h>
+
+#include "hodt/order/triangulation_order.h"
+
+namespace hodt {
+namespace {
+
+int max_degree(const oracle::Triangles& triangles, int n) {
+  std::vector<std::vector<int>> neighbours(n);
+  for (const auto& t : triangles)
+    for (int i = 0; i < 3; ++i) {
+      neighbours[t[i]].push_back(t[(i + 1) % 3]);
+      neighbours[t[i]].push_back(t[(i + 2) % 3]);
+    }
+  std::size_t most = 0;
+  for (auto& list : neighbours) {
+    std::sort(list.begin(), list.end());
+    most = std::max<std::size_t>(most, std::unique(list.begin(), list.end()) - list.begin());
+  }
+  return int(most);
+}
+
+class DegreeFamilies : public testing::TestWithParam<families::Family> {};
+
+TEST_P(DegreeFamilies, equal_all_triangulations) {
+  for (const int n : {4, 6, 8, 9}) {
+    for (int seed = 0; seed < 3; ++seed) {
+      const Delaunay d = delaunay(support::to_point_set(GetParam().make(n, 40 + seed)));
+      const DelaunayGraph graph(d);
+      const oracle::Instance instance(support::to_oracle(d.vertices.xy));
+      const oracle::Catalogue catalogue(instance);
+      for (const int k : {0, 1, 2, 3, 4}) {
+        int optimum = n;
+        for (const auto& t : catalogue.triangulations())
+          if (t.order <= k) optimum = std::min(optimum, max_degree(t.triangles, instance.size()));
+        const MeasuredSolution solution = minimize_degree(graph, Index(k), {});
+        const std::string what = support::to_source(d.vertices.xy);
+        ASSERT_EQ(solution.result,
+                  max_degree(support::triangles_of(solution.mesh), instance.size()));
+        ASSERT_LE(order_histogram(graph, solution.mesh).size(), std::size_t(k) + 1) << what;
+        ASSERT_LE(solution.bound, optimum) << what << ' ' << k;
+        ASSERT_GE(solution.result, optimum) << what << ' ' << k;
+        if (k <= 1) {
+          ASSERT_EQ(solution.result, optimum) << what << ' ' << k;
+          ASSERT_TRUE(solution.optimal) << what << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DegreeFamilies, testing::ValuesIn(families::all()),
+                         [](const auto& each) { return each.param.name; });
+
+/// The program's claim of Theorem 6 is optimum + 3; here it is the optimum.
+TEST(MinimizeDegree, optimal_at_order_1_on_many_random_sets) {
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Delaunay d = delaunay({support::uniform(60 + seed % 100, seed), {}});
+    const DelaunayGraph graph(d);
+    const MeasuredSolution solution = minimize_degree(graph, 1, {});
+    ASSERT_TRUE(solution.optimal) << seed;
+    ASSERT_LE(solution.result, solution.delaunay);
+  }
+}
+
+TEST(MinimizeDegree, large_sets) {
+  for (const support::Points& points : {support::uniform(20000, 3), support::lattice(100, 100)}) {
+    const Delaunay d = delaunay({points, {}});
+    const DelaunayGraph graph(d);
+    const MeasuredSolution first = minimize_degree(graph, 1, {});
+    EXPECT_TRUE(first.optimal) << first.result << ' ' << first.bound;
+    const MeasuredSolution third = minimize_degree(graph, 3, {});
+    EXPECT_LE(third.result, first.result);
+    EXPECT_LE(third.bound, third.result);
+    EXPECT_LE(order_histogram(graph, third.mesh).size(), 4u);
+  }
+}
+
+}  // namespace
+}  // namespace hodt
