@@ -36,15 +36,14 @@ Index parse_order(const std::string& text) {
   return static_cast<Index>(parse_whole("-k", text, 0, kNone - 1));
 }
 
-double parse_seconds(const std::string& text) {
+double parse_positive(std::string_view option, std::string_view what, const std::string& text) {
   if (text.empty()) return 0;
-  double seconds = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!is_number || !std::isfinite(seconds) || seconds < 0) {
-    throw ParameterError(fmt::format("--time-limit must be a number of seconds, not '{}'", text));
-  }
-  return seconds;
+  if (!is_number || !std::isfinite(value) || value < 0)
+    throw ParameterError(fmt::format("{} must be {}, not '{}'", option, what, text));
+  return value;
 }
 
 void add_points_input(CLI::App& command, std::string& input) {

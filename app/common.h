@@ -49,8 +49,9 @@ std::uint64_t parse_whole(std::string_view option, const std::string& text, std:
 /// The order k from -k's text; a huge one means unrestricted all the same.
 Index parse_order(const std::string& text);
 
-/// Seconds from --time-limit's text; empty is 0. Throws ParameterError.
-double parse_seconds(const std::string& text);
+/// A number that is not negative from an option's text; empty is 0. Throws ParameterError, saying
+/// that the option must be `what` ("a number of seconds").
+double parse_positive(std::string_view option, std::string_view what, const std::string& text);
 
 /// The positional INPUT of a command that reads points.
 void add_points_input(CLI::App& command, std::string& input);

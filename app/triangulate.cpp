@@ -1,4 +1,9 @@
 // hodt triangulate: points in, a mesh out.
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "app/common.h"
 #include <fmt/format.h>
 
@@ -20,6 +25,8 @@ struct Arguments {
   std::string objective = "min-local-minima";
   std::string method = "auto";
   std::string time_limit;
+  std::string keep;
+  std::string min_pit_depth;
   std::string threads;
   std::string json;
 };
@@ -47,6 +54,7 @@ Json report_json(const Report& report) {
           {"order", report.order},
           {"order_histogram", report.order_histogram},
           {"objective", name_of(report.objective)},
+          {"kept", report.kept},
           {"value", value_json(report)},
           {"local_minima", extrema_json(report, &ExtremaCount::minima)},
           {"local_maxima", extrema_json(report, &ExtremaCount::maxima)},
@@ -78,6 +86,8 @@ std::string summary(const Report& report, const Arguments& arguments) {
                         report.value->delaunay, report.value->result, report.value->bound,
                         report.value->optimal ? ": optimal" : "");
   }
+  if (report.kept > 0)
+    text += fmt::format("{:<13} {}\n", "kept", counted(report.kept, "local minimum"));
   text += extrema_line("local minima", report, &ExtremaCount::minima);
   text += extrema_line("local maxima", report, &ExtremaCount::maxima);
   text += extrema_line("pits", report, &ExtremaCount::pits);
@@ -87,12 +97,54 @@ std::string summary(const Report& report, const Arguments& arguments) {
   return text + fmt::format("{:<13} {}\n", "written", arguments.output);
 }
 
+/// A GeoJSON file of polygons and points, or a table of points.
+void read_keep(const std::string& path, TriangulateOptions& options) {
+  if (const std::string extension = std::filesystem::path(path).extension();
+      extension != ".geojson" && extension != ".json") {
+    options.keep_places = read_points(path).xy;
+    return;
+  }
+  const auto bad = [&](std::string_view what) {
+    return InputError(fmt::format("{}: {}; polygons and points are what can be kept", path, what));
+  };
+  const auto point_of = [&](const Json& position) { return Point{position.at(0), position.at(1)}; };
+  const auto add = [&](const Json& geometry, const auto& self) -> void {
+    const std::string type = geometry.at("type");
+    if (type == "FeatureCollection")
+      for (const Json& feature : geometry.at("features")) self(feature, self);
+    else if (type == "GeometryCollection")
+      for (const Json& part : geometry.at("geometries")) self(part, self);
+    else if (type == "Feature")
+      self(geometry.at("geometry"), self);
+    else if (type == "Point")
+      options.keep_places.push_back(point_of(geometry.at("coordinates")));
+    else if (type == "Polygon" || type == "MultiPolygon") {
+      const Json coordinates = type == "Polygon" ? Json::array({geometry.at("coordinates")})
+                                                 : geometry.at("coordinates");
+      for (const Json& polygon : coordinates) {
+        std::vector<Point> outline;  // holes do not matter: what is in them is enclosed
+        for (const Json& position : polygon.at(0)) outline.push_back(point_of(position));
+        options.keep_outlines.push_back(std::move(outline));
+      }
+    } else {
+      throw bad(fmt::format("it has a {}", type));
+    }
+  };
+  try {
+    add(Json::parse(read_input(path).view()), add);
+  } catch (const Json::exception&) {
+    throw bad("this is no GeoJSON");
+  }
+}
+
 TriangulateOptions options_of(const Arguments& arguments) {
   TriangulateOptions options;
   options.order = parse_order(arguments.order);
   options.objective = objective_from_name(arguments.objective);
   options.method = method_from_name(arguments.method);
-  options.time_limit = parse_seconds(arguments.time_limit);
+  options.time_limit = parse_positive("--time-limit", "a number of seconds", arguments.time_limit);
+  options.min_pit_depth = parse_positive("--min-pit-depth", "a depth", arguments.min_pit_depth);
+  if (!arguments.keep.empty()) read_keep(arguments.keep, options);
   return options;
 }
 
@@ -153,17 +205,27 @@ void add_triangulate(CLI::App& app, Action& action) {
       .add_option("--objective", arguments->objective,
                   "What to optimise (default: min-local-minima)")
       ->type_name("OBJ");
-  command.add_option("--method", arguments->method, "auto or greedy (default: auto)")
+  command.add_option("--method", arguments->method, "auto, greedy or flip (default: auto)")
       ->type_name("M");
   command
       .add_option("--time-limit", arguments->time_limit,
                   "Seconds that the search may take (default: no limit)")
       ->type_name("S");
+  command
+      .add_option("--keep", arguments->keep,
+                  "Real pits: points or polygons (GeoJSON) whose minima stay")
+      ->type_name("FILE");
+  command
+      .add_option("--min-pit-depth", arguments->min_pit_depth,
+                  "Only shallower pits are removed (default: all)")
+      ->type_name("D");
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
       ->type_name("FILE");
   command.footer(
-      "Objectives: min-local-minima, min-local-maxima, min-local-extrema, none.\n"
+      "Objectives: min-local-minima, min-local-maxima, min-local-extrema, min-max-degree, none,\n"
+      "and <min|max>-<sum|max|min>-MEASURE, where MEASURE is one of area, angle, small-angle,\n"
+      "circumradius, enclosing-radius, inradius, length, flat-area, abn, jnd, wabn.\n"
       "Examples:\n"
       "  hodt triangulate terrain.csv -o terrain.ply\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"

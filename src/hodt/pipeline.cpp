@@ -1,6 +1,8 @@
 #include "hodt/pipeline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -10,9 +12,11 @@
 #include "hodt/base/parallel.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
+#include "hodt/geometry/predicates.h"
 #include "hodt/optimize/first_order_extrema.h"
 #include "hodt/optimize/minimize_degree.h"
 #include "hodt/optimize/optimize_measure.h"
+#include "hodt/optimize/pit_depths.h"
 #include "hodt/optimize/remove_extrema.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
@@ -97,7 +101,7 @@ Optimum from(MeasuredSolution&& solution) {
 }
 
 Optimum optimize(const DelaunayGraph& graph, const VertexSet& vertices,
-                 const TriangulateOptions& options) {
+                 const TriangulateOptions& options, std::span<const bool> keep) {
   // More than n - 3 points are never inside a circle.
   const Index order = std::min(options.order, static_cast<Index>(vertices.size() - 3));
   const Deadline deadline(options.time_limit);
@@ -111,15 +115,53 @@ Optimum optimize(const DelaunayGraph& graph, const VertexSet& vertices,
                                   .progress = options.progress}));
   if (options.objective == Objective::min_max_degree)
     return from(minimize_degree(graph, order, deadline));
-  if (options.order == 1 && options.objective == Objective::min_local_extrema)
+  if (options.order == 1 && options.objective == Objective::min_local_extrema && keep.empty())
     return from(minimize_first_order_extrema(graph, vertices.z));
   return from(remove_extrema({.graph = graph,
                               .z = vertices.z,
                               .order = order,
                               .objective = options.objective,
                               .method = options.method,
+                              .keep = keep,
                               .deadline = deadline,
                               .progress = options.progress}));
+}
+
+bool asks_to_keep(const TriangulateOptions& options) {
+  return options.min_pit_depth > 0 || !options.keep_places.empty() ||
+         !options.keep_outlines.empty();
+}
+
+/// By the number of times that a ray to the right leaves or enters.
+bool is_inside(const std::vector<Point>& outline, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    const bool up = b.y > a.y;
+    if ((a.y > p.y) != (b.y > p.y) && (orient(a, b, p) > 0) == up) inside = !inside;
+  }
+  return inside;
+}
+
+Buffer<bool> minima_to_keep(const DelaunayGraph& graph, const VertexSet& vertices,
+                            const TriangulateOptions& options) {
+  Buffer<bool> keep(vertices.size(), false);
+  for (const Pit& pit : pit_depths(graph.mesh, vertices.xy, vertices.z)) {
+    const Point& p = graph.point(pit.bottom);
+    const auto contains = [&](const auto& outline) { return is_inside(outline, p); };
+    keep[pit.bottom] =
+        (options.min_pit_depth > 0 && pit.depth >= options.min_pit_depth) ||
+        std::any_of(options.keep_outlines.begin(), options.keep_outlines.end(), contains);
+  }
+  for (const Point& place : options.keep_places) {
+    const auto distance = [&](const Point& p) { return std::hypot(p.x - place.x, p.y - place.y); };
+    const auto nearest =
+        std::min_element(vertices.xy.begin(), vertices.xy.end(),
+                         [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
+    const VertexId start(static_cast<Index>(nearest - vertices.xy.begin()));
+    keep[drains_to(graph.mesh, graph.outgoing, vertices.xy, vertices.z, start)] = true;
+  }
+  return keep;
 }
 
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
@@ -127,7 +169,10 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
                        Report& report) {
   DelaunayGraph graph(delaunay);
   if (options.order > 1) graph.list_neighbours_if_hubs();
-  Optimum optimum = optimize(graph, delaunay.vertices, options);
+  const Buffer<bool> keep =
+      asks_to_keep(options) ? minima_to_keep(graph, delaunay.vertices, options) : Buffer<bool>();
+  report.kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
+  Optimum optimum = optimize(graph, delaunay.vertices, options, keep);
   if (options.progress) options.progress("verification", -1);
   report.order_histogram = order_histogram(graph, optimum.mesh);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
@@ -144,6 +189,10 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
 
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
   require_heights(points, options.objective);
+  if (asks_to_keep(options) && !counts_minima(options.objective))
+    throw ParameterError(
+        fmt::format("minima to keep are for objectives that remove minima; {} is not one",
+                    name_of(options.objective)));
   TriangulateResult result;
   Report& report = result.report;
   Stopwatch watch;

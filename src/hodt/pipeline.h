@@ -23,6 +23,12 @@ struct TriangulateOptions {
   Method method = Method::automatic;
   /// Seconds that searching may take; 0: a fixed amount of work, the same on every machine.
   double time_limit = 0;
+  /// Real pits that stay, for the objectives min-local-minima and min-local-extrema: local minima
+  /// of the Delaunay triangulation that are at least so deep (see pit_depths.h; 0: all may go), and
+  /// those that one of the places drains to or one of the outlines contains.
+  double min_pit_depth = 0;
+  std::vector<Point> keep_places = {};
+  std::vector<std::vector<Point>> keep_outlines = {};
   /// Told what the job is doing; may be empty.
   Progress progress = {};
 };
@@ -56,6 +62,8 @@ struct Report {
   /// How many triangles of the result have order 0, 1, ..., `order`.
   std::vector<std::size_t> order_histogram;
   Objective objective = Objective::none;
+  /// Local minima that were to stay.
+  std::size_t kept = 0;
   std::optional<Value> value;  ///< empty for Objective::none
   /// Of the Delaunay triangulation and of the result; empty if the input has no heights.
   std::optional<ExtremaCount> extrema_delaunay;

@@ -45,7 +45,7 @@ class Optimizer {
     // Each face lost as much as that, or nothing.
     solution_.bound = is_sum_ ? solution_.result - gap_ : values_.combine(bound_, fixed_);
     if (problem_.order <= 1) solution_.bound = solution_.result;
-    const double tolerance = 1e-9 * std::fabs(solution_.result);
+    const double tolerance = 1e-9 * std::max(solution_.result, solution_.bound);
     solution_.optimal = std::fabs(solution_.result - solution_.bound) <= tolerance;
     return std::move(solution_);
   }

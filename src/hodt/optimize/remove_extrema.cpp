@@ -63,6 +63,7 @@ class Remover {
 
   bool is_extremum(VertexId v, Extremum kind) const;
   State state_of(VertexId v) const;
+  bool is_kept(VertexId v) const { return !problem_.keep.empty() && problem_.keep[v]; }
   bool still_there(const Target& target) const { return state_[target.vertex] & bit(target.kind); }
   bool orders_hold(ConstrainedTriangulation::Moment since);
   bool accept_if_better(ConstrainedTriangulation::Moment since);
@@ -142,7 +143,7 @@ void Remover::find_targets() {
 /// Finds for every target the edges of the smallest orders: most need no more than these, and small
 /// orders are cheap to search. Larger orders only for those that found none, level by level, so
 /// that a deadline finds the cheap ones done. The lowest vertex of all has none, and is not
-/// searched.
+/// searched, nor are minima to be kept.
 void Remover::find_edges() {
   VertexId lowest(0), highest(0);
   for (Index i = 1; i < state_.size(); ++i) {
@@ -150,7 +151,8 @@ void Remover::find_edges() {
     if (heights_.lower(highest, VertexId(i))) highest = VertexId(i);
   }
   const auto hopeless = [&](const Target& t) {
-    return t.vertex == (t.kind == Extremum::minimum ? lowest : highest);
+    return t.vertex == (t.kind == Extremum::minimum ? lowest : highest) ||
+           (t.kind == Extremum::minimum && is_kept(t.vertex));
   };
   for (Target& target : targets_)
     if (hopeless(target)) target.searched = problem_.order;
@@ -239,7 +241,11 @@ bool Remover::accept_if_better(ConstrainedTriangulation::Moment since) {
 
   const auto size = [](State s) { return (s & 1) + (s >> 1); };
   int gained = 0;
-  for (const VertexId v : corners_) gained += size(state_[v]) - size(state_of(v));
+  for (const VertexId v : corners_) {
+    const State state = state_of(v);
+    if (is_kept(v) && (state_[v] & ~state & bit(Extremum::minimum))) return false;
+    gained += size(state_[v]) - size(state);
+  }
   if (gained <= 0) return false;
   for (const VertexId v : corners_) {
     state_[v] = state_of(v);

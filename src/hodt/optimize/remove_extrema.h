@@ -18,6 +18,9 @@ struct ExtremaProblem {
   Index order = 0;
   Objective objective = Objective::min_local_minima;
   Method method = Method::automatic;
+  /// Vertices that stay local minima if the Delaunay triangulation has them as such: one flag each,
+  /// or none at all. The bound is then one over the triangulations that keep them.
+  std::span<const bool> keep = {};
   /// The search ends then with what it has; the bound stays valid.
   Deadline deadline = {};
   Progress progress = {};
