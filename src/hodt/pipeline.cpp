@@ -214,7 +214,7 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
     watch.lap();
     delaunay.mesh = optimized(delaunay, options, report);
     report.seconds.optimize = watch.lap();
-    report.extrema_result = extrema_of(delaunay.mesh, vertices);
+    if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices);
   }
 
   watch.lap();

@@ -63,6 +63,15 @@ TEST_F(Command, TriangulatesAndChecks) {
   }
 }
 
+TEST_F(Command, OptimisesWithoutHeights) {
+  put("flat.csv", "0,0\n4,0\n0,4\n5,5\n2,1\n");
+  const Outcome outcome =
+      run("triangulate flat.csv -o mesh.ply --objective min-max-angle --json report.json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(json("report.json")["value"].is_object());
+  EXPECT_TRUE(json("report.json")["local_minima"].is_null());
+}
+
 TEST_F(Command, WritesOnlyJsonToStandardOutput) {
   put("points.csv", kPoints);
   const Outcome outcome = run("triangulate points.csv -o mesh.ply --objective none --json -");
