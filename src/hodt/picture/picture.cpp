@@ -11,6 +11,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/picture/difference.h"
+#include "hodt/picture/markup.h"
 #include "hodt/picture/relief.h"
 #include "hodt/picture/window.h"
 
@@ -41,29 +42,6 @@ constexpr std::string_view kVanishedStyle =
     R"(r="6.5" fill="#f7b52c" stroke="#2b2a28" stroke-width="2")";
 constexpr std::string_view kRemainingStyle =
     R"(r="5.5" fill="#ffffff" fill-opacity="0.5" stroke="#2b2a28" stroke-width="1.7")";
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// Breaks text at spaces into lines of at most `columns` characters, longer words aside.
 std::vector<std::string> wrapped(std::string_view text, std::size_t columns) {

@@ -1,0 +1,12 @@
+// Text inside SVG and HTML.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hodt {
+
+/// The text with what markup would take for its own written as entities.
+std::string escaped(std::string_view text);
+
+}  // namespace hodt
