@@ -40,6 +40,7 @@ void add_sample(CLI::App& app, Action& action);
 void add_edges(CLI::App& app, Action& action);
 void add_triangles(CLI::App& app, Action& action);
 void add_voronoi(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
 
 /// A whole number of at least `least` from an option's text; anything larger than `most` is
 /// `most`. Throws ParameterError, naming the option.

@@ -1,0 +1,285 @@
+// hodt compare: how much does each criterion gain, order by order?
+#include <algorithm>
+#include <vector>
+
+#include "app/common.h"
+#include "app/comparison.h"
+#include "app/comparison_page.h"
+#include "app/comparison_table.h"
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
+#include "hodt/base/parallel.h"
+#include "hodt/io/atomic_write.h"
+#include "hodt/io/file_name.h"
+#include "hodt/io/input_text.h"
+#include "hodt/io/point_file.h"
+
+namespace hodt::app {
+
+namespace {
+
+constexpr std::string_view kDefaultObjective = "min-local-minima";
+
+/// What "all" stands for: extrema, the criteria that the paper names, and what else terrain needs.
+constexpr std::string_view kAllObjectives[] = {
+    "min-local-minima",    "min-local-maxima", "min-local-extrema",    "min-sum-flat-area",
+    "min-max-area",        "min-max-angle",    "max-min-circumradius", "max-min-enclosing-radius",
+    "min-sum-inradius",    "min-sum-length",   "min-max-circumradius", "max-min-small-angle",
+    "max-sum-small-angle",
+};
+
+struct Arguments {
+  std::string input;
+  std::string orders = "0-8";
+  std::vector<std::string> objectives;
+  std::string truth;
+  std::string time_limit;
+  std::string threads;
+  std::string output;
+  std::string json;
+};
+
+[[noreturn]] void refuse_orders(const std::string& text) {
+  throw ParameterError(
+      fmt::format("--orders must be orders and ranges of them with commas between, like 0-8 or "
+                  "0,1,2,4,8-12, not '{}'",
+                  text));
+}
+
+Index order_in(const std::string& item, const std::string& text) {
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  if (item.empty() || !std::all_of(item.begin(), item.end(), is_digit)) refuse_orders(text);
+  return static_cast<Index>(parse_whole("--orders", item, 0, kNone - 1));
+}
+
+/// Sorted, each once.
+std::vector<Index> parse_orders(const std::string& text) {
+  constexpr std::size_t most = 1000;
+  std::vector<Index> orders;
+  for (const std::string& item : CLI::detail::split(text + ",", ',')) {
+    const std::size_t dash = item.find('-');
+    const Index first = order_in(item.substr(0, dash), text);
+    const Index last = dash == item.npos ? first : order_in(item.substr(dash + 1), text);
+    if (first > last) refuse_orders(text);
+    if (last - first >= most - orders.size())
+      throw ParameterError(fmt::format("--orders '{}' are more than {} orders", text, most));
+    for (Index k = first; k <= last; ++k) orders.push_back(k);
+  }
+  std::sort(orders.begin(), orders.end());
+  orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
+  return orders;
+}
+
+struct Choice {
+  Objective objective;
+  bool by_all = false;  ///< left out where the points have no heights
+};
+
+std::vector<Choice> parse_objectives(std::vector<std::string> names) {
+  if (names.empty()) names.emplace_back(kDefaultObjective);
+  std::vector<Choice> choices;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const std::string_view each : kAllObjectives)
+        choices.push_back({objective_from_name(each), true});
+      continue;
+    }
+    const Objective objective = objective_from_name(name);
+    if (objective == Objective::none)
+      throw ParameterError("the objective none has nothing to compare; name another, or all");
+    choices.push_back({objective, false});
+  }
+  return choices;
+}
+
+/// Each once. Of those that need heights and cannot have them, the ones asked for by name are
+/// refused.
+std::vector<Objective> usable(const std::vector<Choice>& choices, const PointSet& points,
+                              const std::string& input) {
+  std::vector<Objective> objectives;
+  for (const auto& [objective, by_all] : choices) {
+    if (needs_heights(objective) && !points.has_heights()) {
+      if (by_all) continue;
+      throw ParameterError(fmt::format(
+          "{}: the objective {} needs heights, and the points have none; add a z column or choose "
+          "another, like min-max-angle",
+          display_name(input), name_of(objective)));
+    }
+    if (std::find(objectives.begin(), objectives.end(), objective) == objectives.end())
+      objectives.push_back(objective);
+  }
+  return objectives;
+}
+
+void check_files(const Arguments& arguments) {
+  if (!arguments.output.empty()) {
+    const std::string extension = lower_extension(arguments.output);
+    if (extension != ".html" && extension != ".htm")
+      throw ParameterError(
+          fmt::format("cannot write '{}': a report is a page, .html", arguments.output));
+  }
+  if (arguments.input == "-" && arguments.truth == "-")
+    throw ParameterError("INPUT and --truth cannot both be standard input");
+  check_targets(arguments.input, arguments.output, arguments.json);
+  check_targets(arguments.truth, arguments.output, arguments.json);
+}
+
+PointSet read_truth(const std::string& path) {
+  PointSet truth = read_points(path);
+  if (!truth.has_heights())
+    throw InputError(
+        fmt::format("{}: the truth needs heights, and the points have none; add a z "
+                    "column",
+                    display_name(path)));
+  return truth;
+}
+
+/// Of points that cannot be triangulated the library knows all but where they come from.
+Comparison compared(const PointSet& points, const PointSet* truth, const ComparisonOptions& options,
+                    const std::string& input) {
+  try {
+    return compare(points, truth, options);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", display_name(input), error.what()));
+  }
+}
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? to_json(*value) : Json(nullptr);
+}
+
+Json row_json(const ComparisonRow& row) {
+  const std::optional<Fit>& fit = row.fit;
+  return {{"k", row.k},
+          {"value", to_json(row.value.result)},
+          {"bound", to_json(row.value.bound)},
+          {"optimal", row.value.optimal},
+          {"gap", optional_json(row.gap())},
+          {"change_percent", optional_json(row.change())},
+          {"order", row.order},
+          {"smallest_angle", to_json(row.smallest_angle)},
+          {"local_minima", row.local_minima ? Json(*row.local_minima) : Json(nullptr)},
+          {"rmse", fit ? to_json(fit->rmse) : Json(nullptr)},
+          {"max_error", fit ? to_json(fit->max_error) : Json(nullptr)},
+          {"seconds", row.seconds}};
+}
+
+Json truth_json(const Comparison& comparison) {
+  if (!comparison.truth) return nullptr;
+  const TruthSummary& truth = *comparison.truth;
+  return {
+      {"points", truth.points},
+      {"outside", truth.outside},
+      {"delaunay_rmse", truth.delaunay ? to_json(truth.delaunay->rmse) : Json(nullptr)},
+      {"delaunay_max_error", truth.delaunay ? to_json(truth.delaunay->max_error) : Json(nullptr)}};
+}
+
+Json comparison_json(const Comparison& comparison) {
+  Json objectives = Json::array();
+  for (const ObjectiveComparison& objective : comparison.objectives) {
+    Json rows = Json::array();
+    for (const ComparisonRow& row : objective.rows) rows.push_back(row_json(row));
+    objectives.push_back({{"objective", name_of(objective.objective)}, {"rows", std::move(rows)}});
+  }
+  return {{"points", comparison.points},
+          {"duplicates", comparison.duplicates},
+          {"truth", truth_json(comparison)},
+          {"orders", comparison.orders},
+          {"objectives", std::move(objectives)}};
+}
+
+std::string summary(const Comparison& comparison, const std::string& output) {
+  std::string text;
+  for (const Fact& fact : facts_of(comparison))
+    text += fmt::format("{:<9} {}\n", fact.name, fact.text);
+  if (!output.empty()) text += fmt::format("{:<9} {}\n", "written", output);
+  for (const ObjectiveComparison& objective : comparison.objectives)
+    text += fmt::format("\n{}\n{}", name_of(objective.objective),
+                        aligned(table_of(comparison, objective)));
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  // All that can be refused is refused before the work begins.
+  ComparisonOptions options;
+  options.orders = parse_orders(arguments.orders);
+  const std::vector<Choice> choices = parse_objectives(arguments.objectives);
+  options.time_limit = parse_seconds(arguments.time_limit);
+  const ThreadLimit limit(parse_threads(arguments.threads));
+  check_files(arguments);
+
+  Comparison comparison;
+  {
+    TerminalProgress progress;
+    progress.report("reading");
+    const PointSet points = read_points(arguments.input);
+    options.objectives = usable(choices, points, arguments.input);
+    std::optional<PointSet> truth;
+    if (!arguments.truth.empty()) {
+      if (!points.has_heights())
+        throw InputError(
+            fmt::format("{}: --truth compares heights, and the points have none; add "
+                        "a z column",
+                        display_name(arguments.input)));
+      truth = read_truth(arguments.truth);
+    }
+    options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
+    comparison = compared(points, truth ? &*truth : nullptr, options, arguments.input);
+  }
+  if (!arguments.output.empty())
+    atomic_write(arguments.output, comparison_page(comparison, display_name(arguments.input)));
+  if (!arguments.json.empty()) write_json(comparison_json(comparison), arguments.json);
+  if (arguments.json != "-") print(summary(comparison, arguments.output));
+  return kOk;
+}
+
+std::string all_explained() {
+  std::string text = "Objectives are those of hodt triangulate; all stands for";
+  for (const std::string_view name : kAllObjectives) text += fmt::format("\n  {}", name);
+  return text + "\n(without heights, those that need none).\n";
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command =
+      *app.add_subcommand("compare", "Say what every order gains, for one objective or many");
+  add_points_input(command, arguments->input);
+  command
+      .add_option("--orders", arguments->orders,
+                  "Orders to compare, like 0-8 or 0,1,2,4,8-12 (default: 0-8)")
+      ->type_name("LIST");
+  command
+      .add_option("--objective", arguments->objectives,
+                  "What to optimise; several with commas between, or all\n"
+                  "(default: min-local-minima)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("OBJ");
+  command
+      .add_option("--truth", arguments->truth,
+                  "Points with known heights; each surface's errors there are told")
+      ->type_name("FILE");
+  command
+      .add_option("--time-limit", arguments->time_limit,
+                  "Seconds that each search may take (default: no limit)")
+      ->type_name("S");
+  add_threads(command, arguments->threads);
+  command
+      .add_option("-o,--output", arguments->output,
+                  "Report to write: .html, with tables and charts")
+      ->type_name("REPORT");
+  command.add_option("--json", arguments->json, "Write the tables as JSON; - is standard output")
+      ->type_name("FILE");
+  command.footer(
+      all_explained() +
+      "Examples:\n"
+      "  hodt compare terrain.csv\n"
+      "  hodt compare terrain.csv --orders 0-4,8,16 --objective min-max-angle,min-sum-length\n"
+      "  hodt compare sample.csv --objective all --truth withheld.csv -o report.html");
+  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace hodt::app

@@ -1,0 +1,143 @@
+#include "app/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "hodt/tin/interpolate.h"
+
+namespace hodt::app {
+
+namespace {
+
+/// In degrees, at a.
+double angle(const Point& a, const Point& b, const Point& c) {
+  const double cross = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
+  return std::atan2(std::fabs(cross), dot) * 180 / std::numbers::pi;
+}
+
+double smallest_angle(const Tin& tin) {
+  double smallest = 180;
+  for (const auto& [u, v, w] : tin.triangles) {
+    const Point &a = tin.points.xy[u], &b = tin.points.xy[v], &c = tin.points.xy[w];
+    smallest = std::min({smallest, angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+  }
+  return smallest;
+}
+
+/// Part of the whole in percent; nothing of nothing is 0.
+std::optional<double> percent(double part, double whole) {
+  if (part == 0) return 0;
+  const double share = 100 * part / std::fabs(whole);
+  return std::isfinite(share) ? std::optional(share) : std::nullopt;
+}
+
+/// The differences between surface and truth, summed up.
+class Errors {
+ public:
+  Errors(const Tin& tin, const PointSet& truth) {
+    const std::vector<double> heights = interpolate(tin, truth.xy);
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      if (!std::isnan(heights[i])) add(heights[i] - truth.z[i]);
+  }
+
+  std::size_t count() const { return count_; }
+  std::optional<Fit> fit() const {
+    if (count_ == 0) return std::nullopt;
+    return Fit{std::sqrt(squares_ / static_cast<double>(count_)), largest_};
+  }
+
+ private:
+  void add(double error) {
+    ++count_;
+    squares_ += error * error;
+    largest_ = std::max(largest_, std::fabs(error));
+  }
+
+  std::size_t count_ = 0;
+  double squares_ = 0;
+  double largest_ = 0;
+};
+
+class Comparer {
+ public:
+  Comparer(const PointSet& points, const PointSet* truth, const ComparisonOptions& options)
+      : points_(points), truth_(truth), options_(options) {}
+
+  Comparison run() const {
+    Comparison comparison;
+    comparison.points = points_.size();
+    comparison.orders = options_.orders;
+    const TriangulateResult delaunay = triangulated(Objective::none, 0);
+    comparison.duplicates = delaunay.report.duplicates;
+    if (truth_) comparison.truth = truth_summary(delaunay.tin);
+    for (const Objective& objective : options_.objectives)
+      comparison.objectives.push_back({objective, rows(objective)});
+    return comparison;
+  }
+
+ private:
+  TruthSummary truth_summary(const Tin& delaunay) const {
+    const Errors errors(delaunay, *truth_);
+    return {truth_->size(), truth_->size() - errors.count(), errors.fit()};
+  }
+
+  std::vector<ComparisonRow> rows(const Objective& objective) const {
+    std::vector<ComparisonRow> rows;
+    for (const Index k : options_.orders) rows.push_back(row(triangulated(objective, k)));
+    return rows;
+  }
+
+  TriangulateResult triangulated(const Objective& objective, Index k) const {
+    TriangulateOptions options;
+    options.order = k;
+    options.objective = objective;
+    options.time_limit = options_.time_limit;
+    if (options_.progress) {
+      options.progress = [&, name = name_of(objective), k](std::string_view phase, double done) {
+        options_.progress(fmt::format("{}, k = {}, {}", name, k, phase), done);
+      };
+    }
+    return triangulate(points_, options);
+  }
+
+  ComparisonRow row(const TriangulateResult& result) const {
+    const Report& report = result.report;
+    ComparisonRow row;
+    row.k = report.k;
+    row.value = *report.value;
+    row.order = report.order;
+    row.smallest_angle = smallest_angle(result.tin);
+    if (report.extrema_result) row.local_minima = report.extrema_result->minima.total();
+    if (truth_) row.fit = Errors(result.tin, *truth_).fit();
+    row.seconds = report.seconds.optimize;
+    return row;
+  }
+
+  const PointSet& points_;
+  const PointSet* truth_;
+  const ComparisonOptions& options_;
+};
+
+}  // namespace
+
+std::optional<double> ComparisonRow::gap() const {
+  if (value.optimal) return 0;
+  return percent(std::fabs(value.result - value.bound), value.result);
+}
+
+std::optional<double> ComparisonRow::change() const {
+  return percent(value.result - value.delaunay, value.delaunay);
+}
+
+Comparison compare(const PointSet& points, const PointSet* truth,
+                   const ComparisonOptions& options) {
+  return Comparer(points, truth, options).run();
+}
+
+}  // namespace hodt::app

@@ -1,0 +1,154 @@
+#include "app/comparison_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/common.h"
+#include <fmt/format.h>
+
+namespace hodt::app {
+
+namespace {
+
+constexpr const char* kNothing = "-";
+
+/// Writes the numbers of one column with the same decimals: enough for seven digits of the largest.
+class ColumnFormat {
+ public:
+  void include(double value) {
+    if (!std::isfinite(value)) return;
+    whole_ = whole_ && value == std::floor(value);
+    largest_ = std::max(largest_, std::fabs(value));
+  }
+
+  std::string text(double value) const {
+    const std::string text = written(value);
+    // Rounding can leave a bound a little below 0.
+    const bool is_minus_zero = text[0] == '-' && text.find_first_not_of("-0.") == text.npos;
+    return is_minus_zero ? text.substr(1) : text;
+  }
+
+ private:
+  std::string written(double value) const {
+    constexpr int digits = 7;
+    constexpr double longest = 1e15;
+    if (whole_ && largest_ < longest) return fmt::format("{:.0f}", value);
+    const int before_point = static_cast<int>(std::floor(std::log10(largest_))) + 1;
+    if (before_point > digits || before_point < -2)
+      return fmt::format("{:.{}e}", value, digits - 1);
+    return fmt::format("{:.{}f}", value, std::max(digits - std::max(before_point, 1), 1));
+  }
+
+  bool whole_ = true;
+  double largest_ = 0;
+};
+
+ColumnFormat format_of_values(const ObjectiveComparison& objective) {
+  ColumnFormat format;
+  for (const ComparisonRow& row : objective.rows)
+    for (const double value : {row.value.result, row.value.bound}) format.include(value);
+  return format;
+}
+
+ColumnFormat format_of_errors(const Comparison& comparison) {
+  ColumnFormat format;
+  if (comparison.truth && comparison.truth->delaunay) {
+    format.include(comparison.truth->delaunay->rmse);
+    format.include(comparison.truth->delaunay->max_error);
+  }
+  for (const ObjectiveComparison& objective : comparison.objectives) {
+    for (const ComparisonRow& row : objective.rows) {
+      if (!row.fit) continue;
+      format.include(row.fit->rmse);
+      format.include(row.fit->max_error);
+    }
+  }
+  return format;
+}
+
+std::string proof_text(const ComparisonRow& row) {
+  if (row.value.optimal) return "proved";
+  const std::optional<double> gap = row.gap();
+  return gap ? fmt::format("gap {:.2f} %", *gap) : "gap";
+}
+
+std::string change_text(const ComparisonRow& row) {
+  const std::optional<double> change = row.change();
+  if (!change) return kNothing;
+  // Not "-0.00 %".
+  return std::fabs(*change) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", *change);
+}
+
+/// In characters: a degree sign is one, though of two bytes.
+std::size_t width_of(const std::string& text) {
+  const auto begins_character = [](char c) { return (c & 0xC0) != 0x80; };
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+}
+
+}  // namespace
+
+Table table_of(const Comparison& comparison, const ObjectiveComparison& objective) {
+  const ColumnFormat value = format_of_values(objective), error = format_of_errors(comparison);
+  const bool heights = !objective.rows.empty() && objective.rows[0].local_minima.has_value();
+  const bool fits = comparison.truth && comparison.truth->delaunay;
+
+  Table table{{"k", "value", "bound", "proof", "change", "order", "smallest angle"}, {}};
+  if (heights) table.headings.push_back("local minima");
+  if (fits) table.headings.insert(table.headings.end(), {"RMSE", "max error"});
+  table.headings.push_back("seconds");
+
+  for (const ComparisonRow& row : objective.rows) {
+    std::vector<std::string> cells{fmt::format("{}", row.k),
+                                   value.text(row.value.result),
+                                   value.text(row.value.bound),
+                                   proof_text(row),
+                                   change_text(row),
+                                   fmt::format("{}", row.order),
+                                   fmt::format("{:.3g}°", row.smallest_angle)};
+    if (heights) cells.push_back(fmt::format("{}", row.local_minima.value_or(0)));
+    if (fits) {
+      cells.push_back(row.fit ? error.text(row.fit->rmse) : kNothing);
+      cells.push_back(row.fit ? error.text(row.fit->max_error) : kNothing);
+    }
+    cells.push_back(fmt::format("{:.3f}", row.seconds));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string aligned(const Table& table) {
+  std::vector<std::size_t> widths(table.headings.size());
+  const auto widen = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      widths[i] = std::max(widths[i], width_of(cells[i]));
+  };
+  widen(table.headings);
+  for (const auto& row : table.rows) widen(row);
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      text += std::string(2 + widths[i] - width_of(cells[i]), ' ') + cells[i];
+    text += '\n';
+  };
+  add(table.headings);
+  for (const auto& row : table.rows) add(row);
+  return text;
+}
+
+std::vector<Fact> facts_of(const Comparison& comparison) {
+  std::vector<Fact> facts{{"points", fmt::format("{}, {} dropped", comparison.points,
+                                                 counted(comparison.duplicates, "duplicate"))}};
+  if (!comparison.truth) return facts;
+  const TruthSummary& truth = *comparison.truth;
+  facts.push_back({"truth", fmt::format("{}, {} outside the hull", counted(truth.points, "point"),
+                                        truth.outside)});
+  if (truth.delaunay) {
+    const ColumnFormat error = format_of_errors(comparison);
+    facts.push_back(
+        {"Delaunay", fmt::format("RMSE {}, largest error {}", error.text(truth.delaunay->rmse),
+                                 error.text(truth.delaunay->max_error))});
+  }
+  return facts;
+}
+
+}  // namespace hodt::app

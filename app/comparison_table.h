@@ -1,0 +1,29 @@
+// A comparison as tables of text, for the terminal and for the page alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/comparison.h"
+
+namespace hodt::app {
+
+struct Table {
+  std::vector<std::string> headings;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// One row an order. Columns that no row has anything for are left out.
+Table table_of(const Comparison& comparison, const ObjectiveComparison& objective);
+
+/// Columns flush right, two spaces apart.
+std::string aligned(const Table& table);
+
+/// The points and the truth, a line each: name and text.
+struct Fact {
+  std::string name;
+  std::string text;
+};
+std::vector<Fact> facts_of(const Comparison& comparison);
+
+}  // namespace hodt::app

@@ -1,0 +1,256 @@
+// hodt compare as users see it.
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command_fixture.h"
+#include <gtest/gtest.h>
+
+namespace hodt {
+namespace {
+
+using test::content_of;
+using test::Json;
+using test::Outcome;
+
+class CompareCommand : public test::CommandTest {
+ protected:
+  void sample() const { ASSERT_EQ(run("sample jacksboro -n 300 -o points.csv").exit_code, 0); }
+
+  Json compared(const std::string& arguments) const {
+    const Outcome outcome = run("compare " + arguments + " --json -");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return Json::parse(outcome.out, nullptr, false);
+  }
+  Json orders(const std::string& list) const {
+    return compared("points.csv --orders " + list)["orders"];
+  }
+};
+
+/// The lines of the text, as words.
+std::vector<std::vector<std::string>> words_of(const std::string& text) {
+  std::vector<std::vector<std::string>> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    lines.emplace_back();
+    for (std::string word; words >> word;) lines.back().push_back(word);
+  }
+  return lines;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(CompareCommand, AgreesWithTriangulate) {
+  sample();
+  const Json comparison =
+      compared("points.csv --orders 0-3,8 --objective min-local-minima,min-sum-length");
+  EXPECT_EQ(comparison["points"], 300);
+  EXPECT_EQ(comparison["duplicates"], 0);
+  EXPECT_EQ(comparison["orders"], Json::array({0, 1, 2, 3, 8}));
+  ASSERT_EQ(comparison["objectives"].size(), 2u);
+  for (const Json& objective : comparison["objectives"]) {
+    const std::string name = objective["objective"];
+    ASSERT_EQ(objective["rows"].size(), 5u);
+    for (const Json& row : objective["rows"]) {
+      const std::string k = row["k"].dump();
+      ASSERT_EQ(
+          run("triangulate points.csv -o mesh.ply --json one.json -k " + k + " --objective " + name)
+              .exit_code,
+          0);
+      const Json report = json("one.json");
+      EXPECT_EQ(row["value"], report["value"]["result"]) << name << " " << k;
+      EXPECT_EQ(row["bound"], report["value"]["bound"]) << name << " " << k;
+      EXPECT_EQ(row["optimal"], report["value"]["optimal"]) << name << " " << k;
+      EXPECT_EQ(row["order"], report["order"]) << name << " " << k;
+      const Json& minima = report["local_minima"]["result"];
+      EXPECT_EQ(row["local_minima"], int(minima["interior"]) + int(minima["boundary"]));
+      const double before = report["value"]["delaunay"], after = report["value"]["result"];
+      EXPECT_NEAR(row["change_percent"], 100 * (after - before) / before, 1e-9);
+      EXPECT_TRUE(row["rmse"].is_null());
+      EXPECT_TRUE(row["max_error"].is_null());
+      EXPECT_TRUE(row["seconds"].is_number());
+      EXPECT_TRUE(row["k"] != 0 || row["value"] == report["value"]["delaunay"]);
+    }
+  }
+}
+
+TEST_F(CompareCommand, TellsTheGapToTheBound) {
+  sample();
+  const Json comparison = compared("points.csv --orders 1,8 --objective min-local-extrema");
+  const Json& rows = comparison["objectives"][0]["rows"];
+  EXPECT_EQ(rows[0]["optimal"], true);
+  EXPECT_EQ(rows[0]["gap"], 0);
+  ASSERT_EQ(rows[1]["optimal"], false) << "choose points that leave a gap";
+  const double value = rows[1]["value"], bound = rows[1]["bound"];
+  EXPECT_NEAR(rows[1]["gap"], 100 * (value - bound) / value, 1e-9);
+}
+
+TEST_F(CompareCommand, MeasuresTheSmallestAngle) {
+  put("points.csv", "0,0\n4,0\n0,4\n");
+  const Json rows =
+      compared("points.csv --orders 0 --objective min-max-angle")["objectives"][0]["rows"];
+  EXPECT_NEAR(rows[0]["smallest_angle"], 45, 1e-9);
+  EXPECT_NEAR(rows[0]["value"], 90, 1e-9);
+}
+
+TEST_F(CompareCommand, PrintsATable) {
+  sample();
+  const Json rows = compared("points.csv --orders 0,4")["objectives"][0]["rows"];
+  const Outcome outcome = run("compare points.csv --orders 0,4");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto lines = words_of(outcome.out);
+  ASSERT_EQ(lines.size(), 6u) << outcome.out;
+  EXPECT_EQ(lines[0], (std::vector<std::string>{"points", "300,", "0", "duplicates", "dropped"}));
+  EXPECT_EQ(lines[2], std::vector<std::string>{"min-local-minima"});
+  EXPECT_EQ(lines[3][0], "k");
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(lines[4 + i][0], rows[i]["k"].dump());
+    EXPECT_EQ(lines[4 + i][1], rows[i]["value"].dump());
+    EXPECT_EQ(lines[4 + i][2], rows[i]["bound"].dump());
+    EXPECT_EQ(lines[4 + i][3], "proved");
+  }
+  std::vector<std::size_t> widths;
+  std::istringstream stream(outcome.out);
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with(" ")) widths.push_back(line.size() - count_of(line, "°"));
+  ASSERT_EQ(widths.size(), 3u);
+  EXPECT_EQ(widths[0], widths[1]);
+  EXPECT_EQ(widths[1], widths[2]);
+}
+
+TEST_F(CompareCommand, UnderstandsListsOfOrders) {
+  put("points.csv", "0,0,1\n4,0,2\n0,4,3\n5,5,0\n2,1,1\n");
+  EXPECT_EQ(compared("points.csv")["orders"], Json::array({0, 1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(orders("3"), Json::array({3}));
+  EXPECT_EQ(orders("8,0,2-4,3,8"), Json::array({0, 2, 3, 4, 8}));
+  EXPECT_EQ(orders("2-2"), Json::array({2}));
+}
+
+TEST_F(CompareCommand, RefusesBadUsage) {
+  put("points.csv", "0,0,1\n4,0,2\n0,4,3\n5,5,0\n2,1,1\n");
+  put("flat.csv", "0,0\n4,0\n0,4\n");
+  for (const char* list : {"''", "-1", "x", "1.5", "5-", "-", "8-3", "0,,1", "1,", "0-8-9", "1e3"})
+    expect_refused("compare points.csv --orders " + std::string(list), "--orders");
+  expect_refused("compare points.csv --orders 0-1000000", "more than 1000");
+  expect_refused("compare points.csv --objective beauty", "beauty");
+  expect_refused("compare points.csv --objective min-max-angle,beauty", "beauty");
+  expect_refused("compare points.csv --objective none", "none");
+  expect_refused("compare points.csv --time-limit soon", "--time-limit");
+  expect_refused("compare points.csv --threads 0", "--threads");
+  expect_refused("compare points.csv -o report.pdf", ".html");
+  expect_refused("compare points.csv -o none/report.html", "none");
+  expect_refused("compare points.csv --json points.csv", "is the input");
+  expect_refused("compare points.csv --truth flat.csv --json flat.csv", "flat.csv");
+  expect_refused("compare points.csv --truth flat.csv", "flat.csv: the truth needs heights");
+  expect_refused("compare points.csv --truth none.csv -o report.html", "none.csv");
+  expect_refused("compare flat.csv --objective min-max-angle --truth points.csv", "flat.csv");
+  expect_refused("compare flat.csv", "flat.csv: the objective min-local-minima needs heights");
+  expect_refused("compare - --truth -", "standard input");
+  expect_refused("compare none.csv", "none.csv");
+  put("line.csv", "0,0,1\n1,1,2\n2,2,3\n");
+  expect_refused("compare line.csv -o report.html", "line.csv");
+}
+
+TEST_F(CompareCommand, LeavesOutWhatNeedsHeights) {
+  put("flat.csv", "0,0\n4,0\n0,4\n5,5\n2,1\n3,3\n1,2\n");
+  sample();
+  const Json flat = compared("flat.csv --orders 0-2 --objective all");
+  const Json full = compared("points.csv --orders 0 --objective all");
+  EXPECT_EQ(flat["objectives"].size() + 4, full["objectives"].size());
+  EXPECT_GE(flat["objectives"].size(), 6u);
+  for (const Json& objective : flat["objectives"]) {
+    const std::string name = objective["objective"];
+    EXPECT_EQ(name.find("local"), name.npos);
+    EXPECT_EQ(name.find("flat"), name.npos);
+    for (const Json& row : objective["rows"]) EXPECT_TRUE(row["local_minima"].is_null());
+  }
+  EXPECT_EQ(run("compare flat.csv --objective all").out.find("local minima"), std::string::npos);
+}
+
+TEST_F(CompareCommand, ComparesEachObjectiveOnce) {
+  sample();
+  const Json objectives = compared(
+      "--objective min-sum-length points.csv --objective min-max-angle,min-sum-length "
+      "--orders 0")["objectives"];
+  ASSERT_EQ(objectives.size(), 2u);
+  EXPECT_EQ(objectives[0]["objective"], "min-sum-length");
+  EXPECT_EQ(objectives[1]["objective"], "min-max-angle");
+}
+
+TEST_F(CompareCommand, FindsNoErrorInAPlane) {
+  // z = 2x + 3y - 1.
+  put("points.csv", "0,0,-1\n8,0,15\n0,8,23\n8,8,39\n2,1,6\n5,6,27\n3,5,20\n6,2,17\n");
+  put("truth.csv", "x,y,z\n1,1,4\n4,4,19\n0,0,-1\n8,4,27\n7,7,34\n9,9,0\n-1,0,50\n");
+  const Json comparison =
+      compared("points.csv --truth truth.csv --orders 0-4 --objective min-sum-length");
+  EXPECT_EQ(comparison["truth"]["points"], 7);
+  EXPECT_EQ(comparison["truth"]["outside"], 2);
+  EXPECT_EQ(comparison["truth"]["delaunay_rmse"], 0);
+  for (const Json& row : comparison["objectives"][0]["rows"]) {
+    EXPECT_NEAR(row["rmse"], 0, 1e-12);
+    EXPECT_NEAR(row["max_error"], 0, 1e-12);
+  }
+}
+
+TEST_F(CompareCommand, MeasuresErrors) {
+  put("points.csv", "0,0,0\n4,0,0\n0,4,0\n4,4,0\n2,2,8\n");
+  // The pyramid is 4 high at (1, 2) and (2, 3): errors 3 and -4. The last is outside.
+  put("truth.csv", "1,2,1\n2,3,8\n9,9,9\n");
+  const Json comparison = compared("points.csv --truth truth.csv --orders 1,2");
+  const Json& truth = comparison["truth"];
+  EXPECT_EQ(truth["outside"], 1);
+  EXPECT_NEAR(truth["delaunay_rmse"], std::sqrt(12.5), 1e-12);
+  EXPECT_EQ(truth["delaunay_max_error"], 4);
+  const Json& row = comparison["objectives"][0]["rows"][0];
+  EXPECT_NEAR(row["rmse"], std::sqrt(12.5), 1e-12);
+  EXPECT_EQ(row["max_error"], 4);
+  const std::string table = run("compare points.csv --truth truth.csv --orders 1").out;
+  EXPECT_NE(table.find("1 outside the hull"), std::string::npos) << table;
+  EXPECT_NE(table.find("RMSE 3.53"), std::string::npos) << table;
+
+  put("far.csv", "99,99,1\n");
+  const Json far = compared("points.csv --truth far.csv --orders 0");
+  EXPECT_EQ(far["truth"]["outside"], 1);
+  EXPECT_TRUE(far["truth"]["delaunay_rmse"].is_null());
+  EXPECT_TRUE(far["objectives"][0]["rows"][0]["rmse"].is_null());
+}
+
+TEST_F(CompareCommand, WritesAPage) {
+  ASSERT_EQ(run("sample jacksboro -n 300 -o 'a<b.csv'").exit_code, 0);
+  const Outcome outcome = run(
+      "compare 'a<b.csv' --orders 0-4 --objective min-local-minima,min-max-angle -o report.html");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("report.html"), std::string::npos);
+  const std::string page = content_of(directory_ / "report.html");
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_EQ(count_of(page, "<svg"), 2u);
+  EXPECT_EQ(count_of(page, "<table>"), 2u);
+  EXPECT_EQ(count_of(page, "<circle"), 10u);
+  EXPECT_EQ(count_of(page, "<tr>"), 12u);
+  EXPECT_NE(page.find("a&lt;b.csv"), std::string::npos);
+  EXPECT_EQ(page.find("a<b.csv"), std::string::npos);
+  for (const char* foreign : {"http", "<script", "<link", "nan", "inf<"})
+    EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
+}
+
+TEST_F(CompareCommand, TheSameOnAnyThreadCount) {
+  sample();
+  const auto without_seconds = [](Json comparison) {
+    for (Json& objective : comparison["objectives"])
+      for (Json& row : objective["rows"]) row.erase("seconds");
+    return comparison;
+  };
+  EXPECT_EQ(without_seconds(compared("points.csv --objective all --orders 0-3 --threads 1")),
+            without_seconds(compared("points.csv --objective all --orders 0-3 --threads 2")));
+}
+
+}  // namespace
+}  // namespace hodt
