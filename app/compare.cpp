@@ -205,7 +205,7 @@ int run(const Arguments& arguments) {
   ComparisonOptions options;
   options.orders = parse_orders(arguments.orders);
   const std::vector<Choice> choices = parse_objectives(arguments.objectives);
-  options.time_limit = parse_seconds(arguments.time_limit);
+  options.time_limit = parse_positive("--time-limit", "a number of seconds", arguments.time_limit);
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_files(arguments);
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "hodt/geometry/predicates.h"
+#include "hodt/order/circle_counter.h"
 #include "hodt/order/useful_edges.h"
 
 namespace hodt {
