@@ -58,7 +58,7 @@ TEST_F(KeepCommand, errors_say_what_is_wrong) {
   expect_refused("triangulate p.csv -o t.obj --keep line.geojson", "LineString");
   expect_refused("triangulate p.csv -o t.obj --min-pit-depth deep", "--min-pit-depth");
   expect_refused("triangulate p.csv -o t.obj --min-pit-depth 1 --objective min-max-angle",
-               "min-max-angle");
+                 "min-max-angle");
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ TEST(KLevel, proofs_hold) {
       KLevel level;
       level.build(points, k);
       for (int i = 0; i < 300; ++i) {
-        const double angle = 3.1416 * number(), distance = std::fabs(number()) * 20 + 1e-3;
+        const double angle = 3.1416 * number(), distance = std::fabs(number()) * 5 + 1e-3;
         const Point normal{std::cos(angle), std::sin(angle)};
         const auto beyond = std::count_if(points.begin(), points.end(), [&](const Point& p) {
           return p.x * normal.x + p.y * normal.y > distance;

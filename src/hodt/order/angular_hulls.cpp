@@ -79,7 +79,7 @@ Index AngularHulls::first_met(Index v, Index first, Index last) const {
     return x + y < line.distance - 2 * slack_;
   };
   const auto try_run = [&](const Run& run) {
-    if (best != kNone && line.distance > 0 && is_far(run.box)) return;
+    if (best != kNone && line.is_sure(slack_) && is_far(run.box)) return;
     Index low = run.first, high = run.last - 1;
     while (low < high) {
       const Index mid = low + (high - low) / 2;

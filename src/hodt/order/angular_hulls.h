@@ -53,8 +53,12 @@ class AngularHulls {
 struct ImageLine {
   ImageLine(const Point& a, const Point& b);
 
-  Point normal;     // a unit vector, away from the origin
-  double distance;  // of the origin, off by less than the slack; not positive if not known so well
+  /// Whether the normal is known well, and leads away from the origin: closer to the origin than
+  /// rounding, it might be the other way.
+  bool is_sure(double slack) const { return distance > 2 * slack; }
+
+  Point normal;     // a unit vector
+  double distance;  // of the origin; 0 if the images are too close to each other to tell
 };
 
 }  // namespace hodt

@@ -14,7 +14,8 @@ Point LargeOrderSearch::image_of(VertexId v) const {
   const double x = scale_ * (graph_.point(v).x - graph_.point(u_).x);
   const double y = scale_ * (graph_.point(v).y - graph_.point(u_).y);
   const double r = x * x + y * y;
-  return {x / r, y / r};
+  // Too far away for doubles is as good as infinitely far.
+  return std::isfinite(r) ? Point{x / r, y / r} : Point{0, 0};
 }
 
 /// Takes up the neighbours of u, and of all vertices but those that are proven no k-OD neighbours
@@ -64,15 +65,16 @@ void LargeOrderSearch::gather() {
 void LargeOrderSearch::sort_by_direction() {
   const Point& u = graph_.point(u_);
   const auto is_lower_half = [&](const Point& p) { return p.y < u.y || (p.y == u.y && p.x < u.x); };
-  const auto distance = [&](const Point& p) {
-    return std::max(std::fabs(p.x - u.x), std::fabs(p.y - u.y));
+  const auto is_nearer = [&](const Point& a, const Point& b) {
+    return lexicographically_less(u, a) ? lexicographically_less(a, b)
+                                        : lexicographically_less(b, a);
   };
   std::sort(around_.begin(), around_.end(), [&](const Neighbour& a, const Neighbour& b) {
     const Point &pa = graph_.point(a.vertex), &pb = graph_.point(b.vertex);
     const bool lower_a = is_lower_half(pa), lower_b = is_lower_half(pb);
     if (lower_a != lower_b) return lower_b;
     const int turn = orient(u, pa, pb);
-    return turn != 0 ? turn > 0 : distance(pa) < distance(pb);
+    return turn != 0 ? turn > 0 : is_nearer(pa, pb);
   });
 }
 
@@ -101,7 +103,7 @@ bool LargeOrderSearch::is_same_direction(const Point& a, const Point& b) const {
 /// limit on the other.
 bool LargeOrderSearch::may_hold_few(Index i, Index first) const {
   const ImageLine line(images_[i], images_[first]);
-  return !(line.distance > 0) || !level_.surely_more(line.normal, line.distance);
+  return !line.is_sure(level_.slack()) || !level_.surely_more(line.normal, line.distance);
 }
 
 /// Lemma 4: the larger count of the two circles through u, v and the first point on either side.
