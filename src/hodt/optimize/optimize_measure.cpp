@@ -208,23 +208,17 @@ void Optimizer::solve_faces() {
   const Buffer<bool> fixed = fixed_edges(graph_, problem_.order);
   const FixedFaces faces(graph_, fixed);
   sort_into_faces(faces);
+  // What there is if time runs out, and what a face's program need not exceed.
+  improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
   std::vector<FaceSolution> solutions(faces.size());
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
-  const bool only_flips = problem_.method == Method::flip;
   parallel_for(0, faces.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t face = first; face < last; ++face)
       if (faces.triangles(Index(face)).size() > 1)
         solutions[face] = solve_face(faces, fixed, Index(face), polygons.mine());
   });
-  const bool all_solved =
-      std::all_of(solutions.begin(), solutions.end(), [&](const FaceSolution& s) {
-        return !s.chosen.empty() || faces.triangles(Index(&s - solutions.data())).size() == 1;
-      });
-  if (only_flips) {
-    for (FaceSolution& s : solutions) s.chosen.clear();
-  }
-  if (only_flips || !all_solved)
-    improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
+  if (problem_.method == Method::flip)
+    for (FaceSolution& s : solutions) s.chosen.clear();  // the bounds are good all the same
   // Flips stay inside the faces, so a face is in its places still; as long as no triangle of the
   // mesh crosses a fixed edge, which none of order k does.
   for (Index face = 0; face < faces.size(); ++face) {
