@@ -35,6 +35,16 @@ class Combination {
   }
   const Objective& objective() const { return objective_; }
 
+  /// For largest and smallest values: what a single value adds to the cost of all those that do not
+  /// decide. Close to the lexicographic order, as the worst weigh by far the most; between 0 and 1
+  /// for a value that is no worse than `worst`, and never above 16.
+  double secondary_cost(double value, double worst) const {
+    const bool is_smaller_better = objective_.direction == Direction::minimize;
+    const double ratio = is_smaller_better ? value / worst : worst / value;
+    const double bounded = ratio < 2 ? ratio : ratio >= 2 ? 2.0 : 1.0;  // 1: 0 / 0
+    return bounded * bounded * bounded * bounded;
+  }
+
  private:
   Objective objective_;
 };

@@ -324,18 +324,17 @@ FaceSolution best_worst(FaceProgram& program, const FaceProblem& face,
   }
   best.bound = candidates[std::min(proven, candidates.size() - 1)];
   if (best.chosen.empty()) return best;
-  // With the worst value as it is, the best sum.
+  // With the worst value as it is, the others as good as can be.
   double worst = face.triangles[best.chosen.front()].value;
   for (const Index t : best.chosen) worst = values.combine(worst, face.triangles[t].value);
-  const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
-  double largest = std::max(worst, face.triangles[best.chosen.front()].value);
-  if (largest == 0) largest = 1;
+  const double too_much = double(face.size) + 1;
   std::vector<double> costs;
   for (const FaceTriangle& t : face.triangles)
-    costs.push_back(values.better(worst, t.value) ? 2 : sign * std::min(1.0, t.value / largest));
+    costs.push_back(values.better(worst, t.value) ? too_much
+                                                  : values.secondary_cost(t.value, worst));
   FaceProgram::Solution rest = program.minimize(costs);
-  if (!rest.chosen.empty() &&
-      std::none_of(rest.chosen.begin(), rest.chosen.end(), [&](Index t) { return costs[t] == 2; }))
+  if (!rest.chosen.empty() && std::none_of(rest.chosen.begin(), rest.chosen.end(),
+                                           [&](Index t) { return costs[t] == too_much; }))
     best.chosen = std::move(rest.chosen);
   return best;
 }

@@ -53,11 +53,11 @@ std::optional<FaceSolution> PolygonOptimum::solve(const FaceProblem& face,
     if (left.apex == kNone || right.apex == kNone) continue;
     const double own = face.triangles[p.triangle].value;
     const double value = values.combine(own, values.combine(left.value, right.value));
-    const double sum = own + left.sum + right.sum;
+    const double rest = values.secondary_cost(own, face.value) + left.secondary + right.secondary;
     Best& target = best(p.first, p.last);
     if (target.apex == kNone || values.better(value, target.value) ||
-        (value == target.value && values.better(sum, target.sum)))
-      target = {value, sum, p.triangle, p.apex};
+        (value == target.value && rest < target.secondary))
+      target = {value, rest, p.triangle, p.apex};
   }
   if (best(0, m - 1).apex == kNone) return std::nullopt;
   FaceSolution solution;

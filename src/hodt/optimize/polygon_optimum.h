@@ -9,9 +9,9 @@
 namespace hodt {
 
 /// By dynamic programming over the triangles: O(their number + m²) for m vertices. For sums, and
-/// for the largest or smallest value; among equals of the latter the best sum. Empty if the face is
-/// no simple polygon (a side that is inside, a vertex that is met twice, an inner component) or has
-/// more than kMostVertices. Holds scratch memory for one thread.
+/// for the largest or smallest value; among equals those where the others are good, too. Empty if
+/// the face is no simple polygon (a side that is inside, a vertex that is met twice, an inner
+/// component) or has more than kMostVertices. Holds scratch memory for one thread.
 class PolygonOptimum {
  public:
   static constexpr Index kMostVertices = 600;
@@ -20,7 +20,7 @@ class PolygonOptimum {
 
  private:
   struct Best {
-    double value, sum;
+    double value, secondary;
     Index triangle;
     Index apex;  // a position; kNone: there is no triangulation
   };
