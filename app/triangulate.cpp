@@ -142,6 +142,7 @@ TriangulateOptions options_of(const Arguments& arguments) {
   options.order = parse_order(arguments.order);
   options.objective = objective_from_name(arguments.objective);
   options.method = method_from_name(arguments.method);
+  check_method(options.method, options.objective);
   options.time_limit = parse_positive("--time-limit", "a number of seconds", arguments.time_limit);
   options.min_pit_depth = parse_positive("--min-pit-depth", "a depth", arguments.min_pit_depth);
   if (!arguments.keep.empty()) read_keep(arguments.keep, options);
@@ -205,7 +206,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       .add_option("--objective", arguments->objective,
                   "What to optimise (default: min-local-minima)")
       ->type_name("OBJ");
-  command.add_option("--method", arguments->method, "auto, greedy or flip (default: auto)")
+  command.add_option("--method", arguments->method, "auto, greedy, flip or exact (default: auto)")
       ->type_name("M");
   command
       .add_option("--time-limit", arguments->time_limit,

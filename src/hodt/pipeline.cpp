@@ -189,6 +189,7 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
 
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
   require_heights(points, options.objective);
+  check_method(options.method, options.objective);
   if (asks_to_keep(options) && !counts_minima(options.objective))
     throw ParameterError(
         fmt::format("minima to keep are for objectives that remove minima; {} is not one",

@@ -10,9 +10,20 @@ namespace hodt {
 namespace {
 
 TEST(Objective, names_lead_back) {
-  for (const Objective objective : {Objective::none, Objective::min_local_minima,
-                                    Objective::min_local_maxima, Objective::min_local_extrema})
+  for (const Objective objective :
+       {Objective::none, Objective::min_local_minima, Objective::min_local_maxima,
+        Objective::min_local_extrema, Objective::min_max_degree})
     EXPECT_EQ(objective_from_name(name_of(objective)), objective);
+  for (const Direction d : {Direction::minimize, Direction::maximize})
+    for (const Aggregate a : {Aggregate::sum, Aggregate::max, Aggregate::min})
+      for (int m = 0; m <= int(Measure::wabn); ++m) {
+        const Objective objective(d, a, Measure(m));
+        EXPECT_EQ(objective_from_name(name_of(objective)), objective) << name_of(objective);
+      }
+  EXPECT_EQ(name_of({Direction::maximize, Aggregate::min, Measure::small_angle}),
+            "max-min-small-angle");
+  EXPECT_EQ(method_from_name("flip"), Method::flip);
+  EXPECT_EQ(method_from_name("exact"), Method::exact);
   EXPECT_EQ(method_from_name("auto"), Method::automatic);
   EXPECT_EQ(method_from_name("greedy"), Method::greedy);
 }
@@ -26,6 +37,19 @@ TEST(Objective, what_counts) {
   EXPECT_TRUE(counts_maxima(Objective::min_local_extrema));
   EXPECT_FALSE(counts_minima(Objective::none));
   EXPECT_FALSE(counts_maxima(Objective::none));
+}
+
+TEST(Objective, methods_are_for_some) {
+  const Objective angle = objective_from_name("min-max-angle");
+  EXPECT_THROW(check_method(Method::greedy, angle), ParameterError);
+  EXPECT_THROW(check_method(Method::greedy, Objective::min_max_degree), ParameterError);
+  EXPECT_THROW(check_method(Method::flip, Objective::min_local_minima), ParameterError);
+  EXPECT_NO_THROW(check_method(Method::flip, angle));
+  EXPECT_NO_THROW(check_method(Method::greedy, Objective::min_local_extrema));
+  for (const Method method : {Method::automatic, Method::exact}) {
+    EXPECT_NO_THROW(check_method(method, angle));
+    EXPECT_NO_THROW(check_method(method, Objective::min_local_minima));
+  }
 }
 
 TEST(Objective, an_unknown_name_is_an_error_that_names_the_known) {

@@ -17,7 +17,6 @@ namespace hodt {
 namespace {
 
 constexpr int kMostIterations = 1'000'000;  // of one program
-constexpr std::size_t kMostNodes = 400;     // programs for one vector of costs
 
 /// An edge of one of the triangles, or a side of the face (triangle kNone).
 struct Use {
@@ -108,10 +107,11 @@ double cost_of(const std::vector<Index>& chosen, const std::vector<double>& cost
 /// The linear program of a face, for one vector of costs after another.
 class FaceProgram {
  public:
-  FaceProgram(const FaceProblem& face, const Deadline& deadline)
+  FaceProgram(const FaceProblem& face, const Deadline& deadline, std::size_t most_programs)
       : face_(face),
         program_(program_of(face)),
         deadline_(deadline),
+        most_programs_(most_programs),
         model_(Clp_newModel(), Clp_deleteModel) {}
 
   struct Solution {
@@ -143,6 +143,7 @@ class FaceProgram {
   const FaceProblem& face_;
   const Program program_;
   const Deadline& deadline_;
+  const std::size_t most_programs_;
   std::unique_ptr<Clp_Simplex, void (*)(Clp_Simplex*)> model_;
   std::vector<double> low_, high_;
 };
@@ -238,7 +239,7 @@ FaceProgram::Solution FaceProgram::minimize(const std::vector<double>& costs, do
   const auto is_over = [&] {
     return open.empty() || open.top().bound >= cost - tolerance ||
            std::min(open.top().bound, settled) > too_much ||
-           (nodes > 0 && (nodes >= kMostNodes || deadline_.passed()));
+           (nodes > 0 && (nodes >= most_programs_ || deadline_.passed()));
   };
   while (!is_over()) {
     Node node = open.top();
@@ -253,7 +254,7 @@ FaceProgram::Solution FaceProgram::minimize(const std::vector<double>& costs, do
         cost = sum;
         best.chosen = std::move(chosen);
       }
-      const Index t = nodes < kMostNodes && !deadline_.passed() ? largest_fraction() : kNone;
+      const Index t = nodes < most_programs_ && !deadline_.passed() ? largest_fraction() : kNone;
       if (node.bound >= cost - tolerance || t == kNone) {
         settled = std::min(settled, node.bound);
         break;
@@ -353,8 +354,8 @@ FaceSolution best_best(FaceProgram& program, const FaceProblem& face,
 }  // namespace
 
 FaceSolution solve_face_program(const FaceProblem& face, const TriangleValues& values,
-                                const Deadline& deadline) {
-  FaceProgram program(face, deadline);
+                                const Deadline& deadline, std::size_t most_programs) {
+  FaceProgram program(face, deadline, most_programs);
   const Objective& objective = values.objective();
   if (objective.aggregate == Aggregate::sum) return best_sum(program, face, values);
   const bool worst_counts =

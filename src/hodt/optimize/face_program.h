@@ -1,6 +1,8 @@
 // The best triangulation of any face, as a linear program.
 #pragma once
 
+#include <cstddef>
+
 #include "hodt/base/deadline.h"
 #include "hodt/optimize/face_problem.h"
 
@@ -12,9 +14,9 @@ namespace hodt {
 /// relaxation's optimum mostly is one already; if not, the search branches. Bounds are evaluated
 /// anew from dual values, so they do not depend on what the solver believes.
 ///
-/// The bound is valid always; `chosen` is empty if the deadline or a limit of the work came before
-/// a triangulation.
+/// The bound is valid always; `chosen` is empty if the deadline, or `most_programs` for one vector
+/// of costs, came before a triangulation.
 FaceSolution solve_face_program(const FaceProblem& face, const TriangleValues& values,
-                                const Deadline& deadline);
+                                const Deadline& deadline, std::size_t most_programs);
 
 }  // namespace hodt

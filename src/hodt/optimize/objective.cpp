@@ -49,10 +49,11 @@ constexpr std::array<Named<Measure>, 11> kMeasures = {{
     {"wabn", Measure::wabn},
 }};
 
-constexpr std::array<Named<Method>, 3> kMethods = {{
+constexpr std::array<Named<Method>, 4> kMethods = {{
     {"auto", Method::automatic},
     {"greedy", Method::greedy},
     {"flip", Method::flip},
+    {"exact", Method::exact},
 }};
 
 template <class Known>
@@ -105,6 +106,16 @@ Objective objective_from_name(std::string_view name) {
 Method method_from_name(std::string_view name) {
   if (const auto method = find_name(kMethods, name)) return *method;
   throw ParameterError(fmt::format("unknown method '{}'; there are {}", name, names_of(kMethods)));
+}
+
+void check_method(Method method, Objective objective) {
+  const bool is_greedy_for_extrema = method != Method::greedy || counts_extrema(objective);
+  const bool is_flip_for_others = method != Method::flip || !counts_extrema(objective);
+  if (objective == Objective::none || (is_greedy_for_extrema && is_flip_for_others)) return;
+  throw ParameterError(fmt::format(
+      "the method {} is not one for {}: greedy is for local minima, maxima and extrema, flip for "
+      "measures and degrees; auto and exact are for all",
+      name_in(kMethods, method), name_of(objective)));
 }
 
 std::string measure_names() {

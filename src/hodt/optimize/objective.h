@@ -55,7 +55,8 @@ struct Objective {
 enum class Method {
   automatic,  ///< the best there is, with limited work
   greedy,     ///< independent hulls (Theorem 8); for minima, maxima and extrema
-  flip,       ///< flips that improve, as long as there are any; for measures
+  flip,       ///< flips that improve, as long as there are any; for measures and degrees
+  exact,      ///< as automatic, but searching on until the best is proven, or far longer
 };
 
 /// The objective or method of that name on the command line ("min-local-minima",
@@ -75,6 +76,9 @@ inline bool counts_maxima(Objective objective) {
 inline bool counts_extrema(Objective objective) {
   return counts_minima(objective) || counts_maxima(objective);
 }
+/// Throws ParameterError if the method is not one for the objective.
+void check_method(Method method, Objective objective);
+
 inline bool needs_heights(Objective objective) {
   return counts_extrema(objective) ||
          (objective.kind == Objective::measured &&

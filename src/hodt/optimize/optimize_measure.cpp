@@ -177,7 +177,10 @@ FaceSolution Optimizer::solve_face(const FixedFaces& faces, const Buffer<bool>& 
         sides.emplace_back(graph_.mesh.origin(h), graph_.mesh.target(h));
   const FaceProblem problem = problem_of(face, places, sides);
   if (auto best = polygon.solve(problem, values_)) return *std::move(best);
-  if (!problem_.deadline.passed()) return solve_face_program(problem, values_, problem_.deadline);
+  constexpr std::size_t kPrograms = 400, kExactPrograms = 1'000'000;
+  if (!problem_.deadline.passed())
+    return solve_face_program(problem, values_, problem_.deadline,
+                              problem_.method == Method::exact ? kExactPrograms : kPrograms);
   return {{}, loose_bound(problem)};
 }
 

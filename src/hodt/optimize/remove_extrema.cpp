@@ -31,7 +31,9 @@ using State = std::uint8_t;
 constexpr Index kFirstSearch = 4;         // the order up to which every target's edges are searched
 constexpr std::size_t kEffort = 1 << 24;  // questions of a search; orders below 200 take far fewer
 constexpr int kAttempts = 4000;           // edges tried to remove one more extremum
+constexpr int kExactAttempts = 400'000;   // with the method exact
 constexpr int kDepth = 3;                 // how long a chain of displaced edges may grow
+constexpr int kExactDepth = 6;
 
 class Remover {
  public:
@@ -269,8 +271,10 @@ void Remover::improve() {
       if (!still_there(targets_[i])) continue;
       tell("search", double(i) / double(targets_.size()));
       if (needs_search(targets_[i])) search_up_to(search_, targets_[i], problem_.order);
-      int attempts = kAttempts;
-      for (int depth = 0; depth <= kDepth && still_there(targets_[i]); ++depth) {
+      const bool exact = problem_.method == Method::exact;
+      int attempts = exact ? kExactAttempts : kAttempts;
+      for (int depth = 0; depth <= (exact ? kExactDepth : kDepth) && still_there(targets_[i]);
+           ++depth) {
         const auto before = triangulation_.now();
         if (resolve(i, depth, attempts) && orders_hold(before) && accept_if_better(before))
           progress = true;
