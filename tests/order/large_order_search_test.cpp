@@ -68,9 +68,14 @@ TEST(LargeOrderSearch, equals_the_search_for_small_orders) {
     }
     return points;
   };
+  const auto star = [&](int n) {  // the centre is a neighbour of all others
+    support::Points points = circle(n);
+    points.push_back({0, 0});
+    return points;
+  };
   for (const support::Points& points :
        {support::uniform(3000, 1), support::lattice(50, 60), support::clustered(3000, 2),
-        support::utm_lattice(40, 40), circle(1500)}) {
+        support::utm_lattice(40, 40), circle(1500), star(500)}) {
     const Delaunay d = delaunay({points, {}});
     DelaunayGraph graph(d);
     graph.list_neighbours();

@@ -43,6 +43,7 @@ void LargeOrderSearch::gather() {
   };
   graph_.for_each_neighbour(u_, take);
   for (Neighbour& v : around_) v.is_ruled_out = true;
+  if (graph_.has_hubs()) graph_.for_each_onward(u_, u_, take);  // around them
   // About as many as there are k-OD neighbours; then a check of all, whenever there are half more.
   std::size_t enough = 6 * std::size_t(limit_), checked = 0;
   for (std::size_t i = 0; i < around_.size(); ++i) {
