@@ -36,7 +36,7 @@ Index parse_order(const std::string& text) {
   return static_cast<Index>(parse_whole("-k", text, 0, kNone - 1));
 }
 
-double parse_positive(std::string_view option, std::string_view what, const std::string& text) {
+double parse_non_negative(std::string_view option, std::string_view what, const std::string& text) {
   if (text.empty()) return 0;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -13,10 +13,12 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "hodt/base/error.h"
 #include "hodt/base/ids.h"
 #include "hodt/base/progress.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/geometry/point_set.h"
+#include "hodt/io/input_text.h"
 #include "hodt/tin/extrema.h"
 
 namespace hodt::app {
@@ -52,7 +54,24 @@ Index parse_order(const std::string& text);
 
 /// A number that is not negative from an option's text; empty is 0. Throws ParameterError, saying
 /// that the option must be `what` ("a number of seconds").
-double parse_positive(std::string_view option, std::string_view what, const std::string& text);
+double parse_non_negative(std::string_view option, std::string_view what, const std::string& text);
+/// Seconds from --time-limit's text.
+inline double parse_seconds(const std::string& text) {
+  return parse_non_negative("--time-limit", "a number of seconds", text);
+}
+
+/// What f() returns. Of points that cannot be used the library knows all but where they come from:
+/// its errors get the input's name.
+template <class F>
+auto naming(const std::string& input, const F& f) {
+  try {
+    return f();
+  } catch (const InputError& error) {
+    throw InputError(display_name(input) + ": " + error.what());
+  } catch (const ParameterError& error) {
+    throw ParameterError(display_name(input) + ": " + error.what());
+  }
+}
 
 /// The positional INPUT of a command that reads points.
 void add_points_input(CLI::App& command, std::string& input);

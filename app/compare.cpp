@@ -135,16 +135,6 @@ PointSet read_truth(const std::string& path) {
   return truth;
 }
 
-/// Of points that cannot be triangulated the library knows all but where they come from.
-Comparison compared(const PointSet& points, const PointSet* truth, const ComparisonOptions& options,
-                    const std::string& input) {
-  try {
-    return compare(points, truth, options);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", display_name(input), error.what()));
-  }
-}
-
 Json optional_json(const std::optional<double>& value) {
   return value ? to_json(*value) : Json(nullptr);
 }
@@ -205,7 +195,7 @@ int run(const Arguments& arguments) {
   ComparisonOptions options;
   options.orders = parse_orders(arguments.orders);
   const std::vector<Choice> choices = parse_objectives(arguments.objectives);
-  options.time_limit = parse_positive("--time-limit", "a number of seconds", arguments.time_limit);
+  options.time_limit = parse_seconds(arguments.time_limit);
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_files(arguments);
 
@@ -225,7 +215,8 @@ int run(const Arguments& arguments) {
       truth = read_truth(arguments.truth);
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    comparison = compared(points, truth ? &*truth : nullptr, options, arguments.input);
+    comparison = naming(arguments.input,
+                        [&] { return compare(points, truth ? &*truth : nullptr, options); });
   }
   if (!arguments.output.empty())
     atomic_write(arguments.output, comparison_page(comparison, display_name(arguments.input)));

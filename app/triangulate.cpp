@@ -143,22 +143,10 @@ TriangulateOptions options_of(const Arguments& arguments) {
   options.objective = objective_from_name(arguments.objective);
   options.method = method_from_name(arguments.method);
   check_method(options.method, options.objective);
-  options.time_limit = parse_positive("--time-limit", "a number of seconds", arguments.time_limit);
-  options.min_pit_depth = parse_positive("--min-pit-depth", "a depth", arguments.min_pit_depth);
+  options.time_limit = parse_seconds(arguments.time_limit);
+  options.min_pit_depth = parse_non_negative("--min-pit-depth", "a depth", arguments.min_pit_depth);
   if (!arguments.keep.empty()) read_keep(arguments.keep, options);
   return options;
-}
-
-/// Of points that cannot be triangulated the library knows all but where they come from.
-TriangulateResult triangulated(const PointSet& points, const TriangulateOptions& options,
-                               const std::string& input) {
-  try {
-    return triangulate(points, options);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", display_name(input), error.what()));
-  } catch (const ParameterError& error) {
-    throw ParameterError(fmt::format("{}: {}", display_name(input), error.what()));
-  }
 }
 
 int run(const Arguments& arguments) {
@@ -176,7 +164,7 @@ int run(const Arguments& arguments) {
     const PointSet points = read_points(arguments.input);
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    result = triangulated(points, options, arguments.input);
+    result = naming(arguments.input, [&] { return triangulate(points, options); });
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();

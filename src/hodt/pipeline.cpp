@@ -1,7 +1,6 @@
 #include "hodt/pipeline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -12,11 +11,10 @@
 #include "hodt/base/parallel.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
-#include "hodt/geometry/predicates.h"
 #include "hodt/optimize/first_order_extrema.h"
+#include "hodt/optimize/minima_to_keep.h"
 #include "hodt/optimize/minimize_degree.h"
 #include "hodt/optimize/optimize_measure.h"
-#include "hodt/optimize/pit_depths.h"
 #include "hodt/optimize/remove_extrema.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
@@ -97,7 +95,7 @@ Optimum from(MeasuredSolution&& solution) {
           {.delaunay = solution.delaunay,
            .result = solution.result,
            .bound = solution.bound,
-           .optimal = solution.optimal}};
+           .optimal = solution.is_optimal()}};
 }
 
 Optimum optimize(const DelaunayGraph& graph, const VertexSet& vertices,
@@ -111,8 +109,7 @@ Optimum optimize(const DelaunayGraph& graph, const VertexSet& vertices,
                                   .order = order,
                                   .objective = options.objective,
                                   .method = options.method,
-                                  .deadline = deadline,
-                                  .progress = options.progress}));
+                                  .deadline = deadline}));
   if (options.objective == Objective::min_max_degree)
     return from(minimize_degree(graph, order, deadline));
   if (options.order == 1 && options.objective == Objective::min_local_extrema && keep.empty())
@@ -132,45 +129,15 @@ bool asks_to_keep(const TriangulateOptions& options) {
          !options.keep_outlines.empty();
 }
 
-/// By the number of times that a ray to the right leaves or enters.
-bool is_inside(const std::vector<Point>& outline, const Point& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    const bool up = b.y > a.y;
-    if ((a.y > p.y) != (b.y > p.y) && (orient(a, b, p) > 0) == up) inside = !inside;
-  }
-  return inside;
-}
-
-Buffer<bool> minima_to_keep(const DelaunayGraph& graph, const VertexSet& vertices,
-                            const TriangulateOptions& options) {
-  Buffer<bool> keep(vertices.size(), false);
-  for (const Pit& pit : pit_depths(graph.mesh, vertices.xy, vertices.z)) {
-    const Point& p = graph.point(pit.bottom);
-    const auto contains = [&](const auto& outline) { return is_inside(outline, p); };
-    keep[pit.bottom] =
-        (options.min_pit_depth > 0 && pit.depth >= options.min_pit_depth) ||
-        std::any_of(options.keep_outlines.begin(), options.keep_outlines.end(), contains);
-  }
-  for (const Point& place : options.keep_places) {
-    const auto distance = [&](const Point& p) { return std::hypot(p.x - place.x, p.y - place.y); };
-    const auto nearest =
-        std::min_element(vertices.xy.begin(), vertices.xy.end(),
-                         [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
-    const VertexId start(static_cast<Index>(nearest - vertices.xy.begin()));
-    keep[drains_to(graph.mesh, graph.outgoing, vertices.xy, vertices.z, start)] = true;
-  }
-  return keep;
-}
-
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
 TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& options,
                        Report& report) {
   DelaunayGraph graph(delaunay);
   if (options.order > 1) graph.list_neighbours_if_hubs();
-  const Buffer<bool> keep =
-      asks_to_keep(options) ? minima_to_keep(graph, delaunay.vertices, options) : Buffer<bool>();
+  const Buffer<bool> keep = asks_to_keep(options)
+                                ? minima_to_keep(graph, delaunay.vertices.z, options.min_pit_depth,
+                                                 options.keep_places, options.keep_outlines)
+                                : Buffer<bool>();
   report.kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
   Optimum optimum = optimize(graph, delaunay.vertices, options, keep);
   if (options.progress) options.progress("verification", -1);

@@ -258,15 +258,15 @@ TEST_P(MeasureFamilies, equal_all_triangulations) {
         const double sign = objective.direction == Direction::minimize ? 1 : -1;
         ASSERT_LE(sign * solution.bound, sign * optimum + tolerance(optimum)) << what;
         ASSERT_GE(sign * solution.result, sign * optimum - tolerance(optimum)) << what;
-        if (solution.optimal) {
+        if (solution.is_optimal()) {
           ASSERT_NEAR(solution.result, optimum, tolerance(optimum)) << what;
         }
         if (k <= 1) {
-          ASSERT_TRUE(solution.optimal) << what;
+          ASSERT_TRUE(solution.is_optimal()) << what;
         }
         if (!is_always_solved) continue;
-        if (!solution.optimal && unsolved.size() < 300) unsolved += what + '\n';
-        solved += solution.optimal;
+        if (!solution.is_optimal() && unsolved.size() < 300) unsolved += what + '\n';
+        solved += solution.is_optimal();
         ++asked;
       }
     }
@@ -291,7 +291,8 @@ TEST(OptimizeMeasure, larger_sets_are_solved) {
             optimize_measure({.graph = graph, .z = {}, .order = k, .objective = objective});
         const MeasuredSolution flips = optimize_measure(
             {.graph = graph, .z = {}, .order = k, .objective = objective, .method = Method::flip});
-        EXPECT_TRUE(best.optimal) << name << ' ' << k << ": " << best.result << ' ' << best.bound;
+        EXPECT_TRUE(best.is_optimal())
+            << name << ' ' << k << ": " << best.result << ' ' << best.bound;
         const double sign = objective.direction == Direction::minimize ? 1 : -1;
         const double slack = 1e-9 * std::fabs(best.result);
         EXPECT_LE(sign * best.result, sign * flips.result + slack) << name << ' ' << k;
@@ -319,7 +320,8 @@ TEST(OptimizeMeasure, measures_of_edges) {
         const MeasuredSolution best = optimize_measure(
             {.graph = graph, .z = d.vertices.z, .order = k, .objective = objective});
         if (k == 0 || (k == 1 && scattered)) {
-          EXPECT_TRUE(best.optimal) << name << ' ' << k << ' ' << best.result << ' ' << best.bound;
+          EXPECT_TRUE(best.is_optimal())
+              << name << ' ' << k << ' ' << best.result << ' ' << best.bound;
         }
         EXPECT_LE(best.bound, best.result * (1 + 1e-9));
         EXPECT_LE(best.result, best.delaunay);

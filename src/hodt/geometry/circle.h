@@ -29,6 +29,9 @@ class Circle {
     return exact::in_circle_plain_after_filter(f, a_, b_, c_, p);
   }
 
+  /// Its plane, for loops over many points.
+  const exact::CircleFilter& filter() const { return filter_; }
+
  private:
   exact::CircleFilter filter_;
   Point a_, b_, c_;

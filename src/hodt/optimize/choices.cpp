@@ -186,8 +186,8 @@ double Choices::loose_bound(const std::vector<Index>& part) const {
   return bound;
 }
 
-Choices::Result Choices::best(const std::vector<bool>& start) const {
-  Result result{start, combination_.neutral(), true};
+Choices::Result Choices::best() const {
+  Result result{std::vector<bool>(singles_.size(), false), combination_.neutral()};
   std::vector<bool> seen(singles_.size(), false);
   Elimination elimination(*this);
   for (Index seed = 0; seed < singles_.size(); ++seed) {
@@ -207,7 +207,6 @@ Choices::Result Choices::best(const std::vector<bool>& start) const {
     } else {
       improve(part, result.chosen);
       value = loose_bound(part);
-      result.optimal = false;
     }
     result.bound = combination_.combine(result.bound, value);
   }

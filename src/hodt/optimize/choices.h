@@ -26,12 +26,11 @@ class Choices {
     std::vector<bool> chosen;
     /// No choices combine to a better value.
     double bound;
-    bool optimal;
   };
-  /// Parts that would take tables of more than 2^kMostWidth values are improved from `start` one by
+  /// Parts that would take tables of more than 2^kMostWidth values are improved from all 0, one by
   /// one, and bounded by the best that every single value can be.
   static constexpr Index kMostWidth = 14;
-  Result best(const std::vector<bool>& start) const;
+  Result best() const;
 
  private:
   struct Pair {

@@ -46,7 +46,8 @@ class DegreeChoices::Search {
       if (++steps > kMostSteps) return undo_all(), Answer::unknown;
       const Index q = part[next];
       branches.push_back({trail_.size(), q, preferred_[q], false});
-      bool fits = set(q, preferred_[q]) && propagate();
+      set(q, preferred_[q]);
+      bool fits = propagate();
       while (!fits) {
         while (!branches.empty() && branches.back().is_last) branches.pop_back();
         if (branches.empty()) return undo_all(), Answer::impossible;
@@ -54,7 +55,8 @@ class DegreeChoices::Search {
         undo_to(branch.trail);
         branch.is_last = true;
         next = 0;
-        fits = set(branch.choice, !branch.second) && propagate();
+        set(branch.choice, !branch.second);
+        fits = propagate();
       }
     }
   }
@@ -64,7 +66,7 @@ class DegreeChoices::Search {
  private:
   enum State : std::uint8_t { kFirst, kSecond, kOpen };
 
-  bool set(Index q, bool second) {
+  void set(Index q, bool second) {
     state_[q] = second ? kSecond : kFirst;
     trail_.push_back(q);
     const Corners& corners = problem_.choices_[q];
@@ -72,7 +74,6 @@ class DegreeChoices::Search {
       ++degree_[v];
       to_check_.push_back(v);
     }
-    return true;
   }
   void undo_to(std::size_t length) {
     to_check_.clear();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "hodt/optimize/measures.h"
@@ -21,7 +22,7 @@ double EdgeValues::of(VertexId a, VertexId b, VertexId c, VertexId d) const {
     std::swap(a, b);
     std::swap(c, d);
   }
-  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  constexpr double kDegrees = 180 / std::numbers::pi;
   const Gradient f = gradient(a, b, c), g = gradient(b, a, d);
   const double x = xy_[b].x - xy_[a].x, y = xy_[b].y - xy_[a].y;
   const double length = std::sqrt(x * x + y * y);
@@ -46,12 +47,10 @@ double EdgeValues::of(VertexId a, VertexId b, VertexId c, VertexId d) const {
 double EdgeValues::of(const TriangleMesh& mesh) const {
   double value = neutral();
   bool any = false;
-  for (Index i = 0; i < mesh.halfedge_count(); ++i) {
-    const HalfEdgeId h(i);
-    if (mesh.is_boundary(h) || mesh.twin(h) < h) continue;
+  for_each_inner_edge(mesh, [&](HalfEdgeId h) {
     value = combine(value, of(mesh, h));
     any = true;
-  }
+  });
   return any ? value : 0;
 }
 

@@ -305,7 +305,7 @@ FaceSolution best_worst(FaceProgram& program, const FaceProblem& face,
   std::size_t first = 0, last = candidates.size() - 1;  // all below `first` are proven too good
   std::size_t proven = 0;
   FaceSolution best;
-  while (first < last || best.chosen.empty()) {
+  while (first < last || (first == last && best.chosen.empty())) {
     const std::size_t middle = first + (last - first) / 2;
     std::vector<double> costs;
     for (const FaceTriangle& t : face.triangles)
@@ -321,7 +321,6 @@ FaceSolution best_worst(FaceProgram& program, const FaceProblem& face,
       if (solution.bound > kSomeAreWorse && proven == first) proven = middle + 1;
       first = middle + 1;
     }
-    if (first > last || (first == last && middle == last)) break;
   }
   best.bound = candidates[std::min(proven, candidates.size() - 1)];
   if (best.chosen.empty()) return best;

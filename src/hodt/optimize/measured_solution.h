@@ -1,6 +1,9 @@
 // What the optimizers for measures of triangles return.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "hodt/mesh/triangle_mesh.h"
 
 namespace hodt {
@@ -13,7 +16,7 @@ struct MeasuredSolution {
   /// No triangulation of that order is better than this, but for rounding: relatively 1e-9.
   double bound = 0;
   /// The mesh is proven best, but for the same.
-  bool optimal = false;
+  bool is_optimal() const { return std::fabs(result - bound) <= 1e-9 * std::max(result, bound); }
 };
 
 }  // namespace hodt

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "hodt/base/parallel.h"
 
@@ -26,7 +27,7 @@ double cross(const Point& a, const Point& b, const Point& c) {
 
 /// At a, in degrees.
 double angle(const Point& a, const Point& b, const Point& c) {
-  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  constexpr double kDegrees = 180 / std::numbers::pi;
   const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
   return kDegrees * std::atan2(cross(a, b, c), dot);
 }

@@ -26,13 +26,20 @@ Index largest(const std::vector<Index>& degrees) {
   return *std::max_element(degrees.begin(), degrees.end());
 }
 
-std::vector<Index> degrees_of(const TriangleMesh& mesh) {
+/// Of every vertex, by the edges that count.
+template <class Counts>
+std::vector<Index> degrees_of(const TriangleMesh& mesh, const Counts& counts) {
   std::vector<Index> degrees(mesh.vertex_count(), 0);
   for_each_edge_of(mesh, [&](HalfEdgeId h) {
+    if (!counts(h)) return;
     ++degrees[mesh.origin(h)];
     ++degrees[mesh.target(h)];
   });
   return degrees;
+}
+
+std::vector<Index> degrees_of(const TriangleMesh& mesh) {
+  return degrees_of(mesh, [](HalfEdgeId) { return true; });
 }
 
 /// Somebody has at least the average.
@@ -72,13 +79,7 @@ Index choose_diagonals(const DelaunayGraph& graph, TriangleMesh& mesh) {
 /// The fixed edges at a vertex are always there.
 Index fixed_bound(const DelaunayGraph& graph, Index order) {
   const Buffer<bool> fixed = fixed_edges(graph, order);
-  std::vector<Index> degrees(graph.mesh.vertex_count(), 0);
-  for_each_edge_of(graph.mesh, [&](HalfEdgeId h) {
-    if (!fixed[h]) return;
-    ++degrees[graph.mesh.origin(h)];
-    ++degrees[graph.mesh.target(h)];
-  });
-  return largest(degrees);
+  return largest(degrees_of(graph.mesh, [&](HalfEdgeId h) { return fixed[h]; }));
 }
 
 }  // namespace
@@ -93,11 +94,9 @@ MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
     bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
     reduce_degrees_by_flips(graph, order, deadline, solution.mesh);
   }
-  const Index result = largest(degrees_of(solution.mesh));
   solution.delaunay = delaunay;
-  solution.result = result;
+  solution.result = largest(degrees_of(solution.mesh));
   solution.bound = bound;
-  solution.optimal = result == bound;
   return solution;
 }
 

@@ -40,8 +40,6 @@ class Optimizer {
     solution_.result = values_.of(solution_.mesh);
     // By sums that are rounded in another order.
     if (values_.better(solution_.result, solution_.bound)) solution_.bound = solution_.result;
-    solution_.optimal = std::fabs(solution_.result - solution_.bound) <=
-                        1e-9 * std::max(solution_.result, solution_.bound);
     return std::move(solution_);
   }
 
@@ -72,11 +70,8 @@ void Optimizer::choose_diagonals() {
                                                       delaunay_.origin(h), delaunay_.target(h))});
   }
   double constant = values_.neutral();
-  for (Index i = 0; i < delaunay_.halfedge_count(); ++i) {
-    const HalfEdgeId h(i);
-    if (!delaunay_.is_boundary(h) && h < delaunay_.twin(h)) add_edge(h, choices, constant);
-  }
-  const Choices::Result best = choices.best(std::vector<bool>(diagonals_.size(), false));
+  for_each_inner_edge(delaunay_, [&](HalfEdgeId h) { add_edge(h, choices, constant); });
+  const Choices::Result best = choices.best();
   for (Index q = 0; q < diagonals_.size(); ++q)
     if (best.chosen[q]) solution_.mesh.flip(diagonals_[q]);
   solution_.bound = values_.combine(constant, best.bound);
@@ -136,13 +131,11 @@ double Optimizer::bound_of_pairs() const {
   const Buffer<bool> fixed = fixed_edges(graph_, problem_.order);
   std::vector<std::tuple<Index, Index>> fixed_keys;
   std::size_t inner = 0;
-  for (Index i = 0; i < delaunay_.halfedge_count(); ++i) {
-    const HalfEdgeId h(i);
-    if (delaunay_.is_boundary(h) || delaunay_.twin(h) < h) continue;
+  for_each_inner_edge(delaunay_, [&](HalfEdgeId h) {
     ++inner;
     const Index a = delaunay_.origin(h), b = delaunay_.target(h);
     if (fixed[h]) fixed_keys.emplace_back(std::min(a, b), std::max(a, b));
-  }
+  });
   std::sort(fixed_keys.begin(), fixed_keys.end());
 
   const auto better = [&](double x, double y) { return values_.better(x, y) ? x : y; };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "hodt/base/parallel.h"
@@ -45,8 +44,6 @@ class Optimizer {
     // Each face lost as much as that, or nothing.
     solution_.bound = is_sum_ ? solution_.result - gap_ : values_.combine(bound_, fixed_);
     if (problem_.order <= 1) solution_.bound = solution_.result;
-    const double tolerance = 1e-9 * std::max(solution_.result, solution_.bound);
-    solution_.optimal = std::fabs(solution_.result - solution_.bound) <= tolerance;
     return std::move(solution_);
   }
 

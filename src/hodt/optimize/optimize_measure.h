@@ -4,7 +4,6 @@
 #include <span>
 
 #include "hodt/base/deadline.h"
-#include "hodt/base/progress.h"
 #include "hodt/optimize/measured_solution.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/order/delaunay_graph.h"
@@ -19,7 +18,6 @@ struct MeasureProblem {
   Method method = Method::automatic;
   /// The search ends then with what it has; the bound stays valid.
   Deadline deadline = {};
-  Progress progress = {};
 };
 
 /// Order 1 is always optimal: the quadrilaterals are independent (Theorem 7). Above, the fixed

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 namespace hodt {
 
@@ -14,7 +15,7 @@ namespace {
 constexpr Index kFew = 200;          // undecided points that are not worth another split
 constexpr double kNarrow = 0x1p-24;  // of a sector, in radians
 constexpr Index kRoots = 8;          // sectors to begin with: less than a right angle each
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 double dot(const Point& a, const Point& b) {
   return a.x * b.x + a.y * b.y;

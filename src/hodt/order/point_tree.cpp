@@ -16,9 +16,8 @@ namespace hodt {
 /// The inside of the circle through a, b and c, to the right of the line from -> to (if any).
 struct PointTree::Region {
   Region(std::span<const Point> points, VertexId a, VertexId b, VertexId c)
-      : filter(points[a], points[b], points[c]), circle(points[a], points[b], points[c]) {}
+      : circle(points[a], points[b], points[c]) {}
 
-  exact::CircleFilter filter;
   Point from{}, to{};
   bool is_cut = false;
   Circle circle;
@@ -167,7 +166,7 @@ void PointTree::visit(const Region& region, const Whole& whole, const Single& si
   stack[depth++] = {static_cast<Index>(levels_.size()), 0};
   Sides sides;
   while (depth > 0) {
-    const Numbers f(region.filter, region.from, region.to);
+    const Numbers f(region.circle.filter(), region.from, region.to);
     const auto [level, index] = stack[--depth];
     if (level == 0) {
       const Leaf& leaf = leaves_[index];
@@ -228,7 +227,6 @@ VertexId PointTree::first_on_left(VertexId a, VertexId b, VertexId start) const 
     if (orient(region.from, region.to, points_[i]) >= 0) return true;
     if (!region.circle.contains(points_[i])) return true;
     first = VertexId(i);
-    region.filter = exact::CircleFilter(points_[a], points_[b], points_[i]);
     region.circle = Circle(points_[a], points_[b], points_[i]);
     return true;
   };
