@@ -84,10 +84,10 @@ double TriangleValues::of(VertexId u, VertexId v, VertexId w) const {
 }
 
 double TriangleValues::measured(VertexId u, VertexId v, VertexId w) const {
-  // The same bits whatever corner comes first.
-  VertexId ids[3] = {u, v, w};
-  std::sort(std::begin(ids), std::end(ids));
-  const Point &a = xy_[ids[0]], &b = xy_[ids[1]], &c = xy_[ids[2]];
+  // The same bits whatever corner comes first. Sorted without branches.
+  const Index first = std::min({u, v, w}), last = std::max({u, v, w});
+  const Index middle = u ^ v ^ w ^ first ^ last;
+  const Point &a = xy_[first], &b = xy_[middle], &c = xy_[last];
   switch (objective().measure) {
     case Measure::area:
       return area(a, b, c);

@@ -48,20 +48,16 @@ class Optimizer {
   }
 
  private:
-  /// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere. Most are
-  /// good as they are, so what takes longest is asked last.
+  /// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere.
   void flip_quadrilaterals() {
-    const TriangleMesh& mesh = graph_.mesh;
-    const auto edges = parallel_collect<HalfEdgeId>(
-        0, mesh.halfedge_count(), 1 << 14,
-        [&](std::size_t first, std::size_t last, std::vector<HalfEdgeId>& found) {
-          for (std::size_t i = first; i < last; ++i) {
-            const HalfEdgeId h{Index(i)};
-            if (mesh.is_boundary(h) || mesh.twin(h) < h) continue;
-            if (is_better_flipped(h) && is_first_order_flippable(graph_, h)) found.push_back(h);
-          }
-        });
-    for (const HalfEdgeId h : edges) {
+    const std::vector<HalfEdgeId> edges = first_order_edges(graph_);
+    Buffer<bool> is_better(edges.size());
+    parallel_for(0, edges.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) is_better[i] = is_better_flipped(edges[i]);
+    });
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (!is_better[i]) continue;
+      const HalfEdgeId h = edges[i];
       const HalfEdgeId diagonal = solution_.mesh.flip(h);
       for (const HalfEdgeId side : {diagonal, solution_.mesh.twin(diagonal)}) {
         const auto [a, b, c] = solution_.mesh.corners(TriangleMesh::triangle(side));

@@ -41,6 +41,10 @@ class EdgesAt {
         add_kod(u, is_larger, record);
         break;
       case EdgeClass::useful:
+        if (k_ == 1) {
+          add_first_order(u, is_larger, record);
+          break;
+        }
         for (const UsefulEdge& edge : useful_.from(u, k_, is_larger)) record(edge.to, edge.order);
         [[fallthrough]];
       case EdgeClass::delaunay:
@@ -63,6 +67,20 @@ class EdgesAt {
       const Index order = around.pencil().edge_order(i, k_);
       if (order <= k_) record(around.vertex(i), order);
     }
+  }
+
+  /// The Delaunay edges, and the flips of those opposite that are not fixed (Corollary 3).
+  template <class IsLarger, class Record>
+  void add_first_order(VertexId u, const IsLarger& is_larger, const Record& record) {
+    const TriangleMesh& mesh = graph_.mesh;
+    for_each_outgoing(mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
+      if (is_larger(mesh.target(h))) record(mesh.target(h), 0);
+      const HalfEdgeId opposite = TriangleMesh::next(h), last = TriangleMesh::prev(h);
+      if (mesh.is_boundary(last) && is_larger(mesh.origin(last))) record(mesh.origin(last), 0);
+      if (fixed_[opposite]) return;
+      const VertexId v = mesh.apex(mesh.twin(opposite));
+      if (is_larger(v)) record(v, 1);
+    });
   }
 
   template <class IsLarger, class Record>
@@ -88,8 +106,9 @@ class EdgesAt {
 void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
                    const Numbering& numbering,
                    const std::function<void(std::span<const EdgeRecord>)>& sink) {
-  const Buffer<bool> fixed =
-      edge_class == EdgeClass::fixed ? fixed_edges(graph, k) : Buffer<bool>();
+  const bool asks_fixed =
+      edge_class == EdgeClass::fixed || (edge_class == EdgeClass::useful && k == 1);
+  const Buffer<bool> fixed = asks_fixed ? fixed_edges(graph, k) : Buffer<bool>();
   UsefulEdgeSearches searches(graph, k);
   constexpr std::size_t kBatch = 1 << 17, kPiece = 1 << 10;
   const auto add = [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {

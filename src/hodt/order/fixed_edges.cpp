@@ -5,12 +5,25 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/order/first_order.h"
 #include "hodt/order/segment_walk.h"
 #include "hodt/order/useful_edges.h"
 
 namespace hodt {
 
+namespace {
+
+/// An edge of useful order 1 crosses one Delaunay edge only (Corollary 3).
+Buffer<bool> fixed_at_first_order(const DelaunayGraph& graph) {
+  Buffer<bool> fixed(graph.mesh.halfedge_count(), true);
+  for (const HalfEdgeId h : first_order_edges(graph)) fixed[h] = fixed[graph.mesh.twin(h)] = false;
+  return fixed;
+}
+
+}  // namespace
+
 Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k) {
+  if (k == 1) return fixed_at_first_order(graph);
   const TriangleMesh& mesh = graph.mesh;
   Buffer<bool> fixed(mesh.halfedge_count(), true);
   // Threads may meet at an edge, but all they ever write is false.
