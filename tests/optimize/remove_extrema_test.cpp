@@ -70,7 +70,7 @@ TEST_P(RemoveExtrema, at_any_order_by_any_method) {
           ASSERT_EQ(problem(terrain, best, k, objective), "") << what();
           ASSERT_EQ(problem(terrain, greedy, k, objective), "") << what();
           ASSERT_LE(best.result, greedy.result) << what();
-          ASSERT_EQ(best.bound, greedy.bound) << what();
+          ASSERT_GE(best.bound, greedy.bound) << what();
           ASSERT_GE(best.bound, hopeless(instance, int(k), objective)) << what();
           ASSERT_LE(best.bound, last_bound) << what();
           last_bound = best.bound;

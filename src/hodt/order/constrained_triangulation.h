@@ -44,6 +44,8 @@ class ConstrainedTriangulation {
   void release(VertexId owner);
 
   bool owns_locked_edge(VertexId v) const { return partner_[v] != kNone; }
+  /// The other end of the edge that v owns, or kNone.
+  VertexId partner(VertexId v) const { return VertexId(partner_[v]); }
   bool is_locked(VertexId a, VertexId b) const {
     return partner_[a] == b || partner_[b] == a ||
            (!for_good_.empty() && for_good_.contains(std::minmax<Index>(a, b)));

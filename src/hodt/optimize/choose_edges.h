@@ -1,0 +1,37 @@
+// As many targets as possible served by edges that do not exclude each other.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hodt/base/deadline.h"
+#include "hodt/base/lists.h"
+
+namespace hodt {
+
+struct ChoiceProblem {
+  Lists edges_of;             ///< the edges that serve a target, each of them one at least
+  Lists targets_of;           ///< the same by edges
+  Lists rivals;               ///< the edges that an edge excludes
+  std::vector<Index> orders;  ///< of edges: the smaller the better, between equals
+};
+
+struct Choice {
+  std::vector<Index> edges;  ///< chosen, ascending: no two are rivals
+  /// Parts of the targets that cannot all be served.
+  struct Part {
+    std::vector<Index> targets;
+    std::size_t unserved;  ///< at least, in any choice
+  };
+  std::vector<Part> contested;
+};
+
+/// Where some edge of a target has no rivals left, it is taken; where all that an edge excludes is
+/// excluded by another edge of the target too, the other goes. What is left falls apart into parts,
+/// each a program in zeros and ones: a variable for each edge and for each target that goes
+/// without. On parts whose program ends before it is solved, the choice may not be the best, and
+/// `unserved` not be reached.
+Choice choose_edges(const ChoiceProblem& problem, const Deadline& deadline,
+                    std::size_t most_programs);
+
+}  // namespace hodt
