@@ -139,6 +139,14 @@ Json optional_json(const std::optional<double>& value) {
   return value ? to_json(*value) : Json(nullptr);
 }
 
+Json pits_json(const std::optional<PitTotals>& pits) {
+  if (!pits) return nullptr;
+  return {{"interior_minima", pits->count},
+          {"total_depth", to_json(pits->depth)},
+          {"largest_depth", to_json(pits->deepest)},
+          {"volume", to_json(pits->volume)}};
+}
+
 Json row_json(const ComparisonRow& row) {
   const std::optional<Fit>& fit = row.fit;
   return {{"k", row.k},
@@ -150,6 +158,7 @@ Json row_json(const ComparisonRow& row) {
           {"order", row.order},
           {"smallest_angle", to_json(row.smallest_angle)},
           {"local_minima", row.local_minima ? Json(*row.local_minima) : Json(nullptr)},
+          {"pits", pits_json(row.pits)},
           {"rmse", fit ? to_json(fit->rmse) : Json(nullptr)},
           {"max_error", fit ? to_json(fit->max_error) : Json(nullptr)},
           {"seconds", row.seconds}};
@@ -174,6 +183,7 @@ Json comparison_json(const Comparison& comparison) {
   }
   return {{"points", comparison.points},
           {"duplicates", comparison.duplicates},
+          {"delaunay_pits", pits_json(comparison.delaunay_pits)},
           {"truth", truth_json(comparison)},
           {"orders", comparison.orders},
           {"objectives", std::move(objectives)}};

@@ -75,6 +75,7 @@ class Comparer {
     comparison.orders = options_.orders;
     const TriangulateResult delaunay = triangulated(Objective::none, 0);
     comparison.duplicates = delaunay.report.duplicates;
+    comparison.delaunay_pits = delaunay.report.pits;
     if (truth_) comparison.truth = truth_summary(delaunay.tin);
     for (const Objective& objective : options_.objectives)
       comparison.objectives.push_back({objective, rows(objective)});
@@ -98,6 +99,7 @@ class Comparer {
     options.order = k;
     options.objective = objective;
     options.time_limit = options_.time_limit;
+    options.measure_pits = true;
     if (options_.progress) {
       options.progress = [&, name = name_of(objective), k](std::string_view phase, double done) {
         options_.progress(fmt::format("{}, k = {}, {}", name, k, phase), done);
@@ -114,6 +116,7 @@ class Comparer {
     row.order = report.order;
     row.smallest_angle = smallest_angle(result.tin);
     if (report.extrema_result) row.local_minima = report.extrema_result->minima.total();
+    row.pits = report.pits;
     if (truth_) row.fit = Errors(result.tin, *truth_).fit();
     row.seconds = report.seconds.optimize;
     return row;

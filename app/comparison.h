@@ -28,6 +28,7 @@ struct ComparisonRow {
   /// Of the whole mesh, in degrees.
   double smallest_angle = 0;
   std::optional<std::size_t> local_minima;  ///< empty without heights
+  std::optional<PitTotals> pits;            ///< likewise
   std::optional<Fit> fit;                   ///< empty without truth inside the hull
   double seconds = 0;
 
@@ -54,6 +55,7 @@ struct Comparison {
   std::size_t points = 0;
   std::size_t duplicates = 0;
   std::vector<Index> orders;
+  std::optional<PitTotals> delaunay_pits;  ///< empty without heights
   std::optional<TruthSummary> truth;
   std::vector<ObjectiveComparison> objectives;
 };

@@ -40,7 +40,10 @@ constexpr std::string_view kExplanation =
     "was found, and no triangulation of order k can be better than <em>bound</em>. "
     "<em>Change</em> is against the Delaunay triangulation, <em>order</em> the largest order of a "
     "triangle, <em>smallest angle</em> that of the whole mesh, <em>seconds</em> the time of "
-    "search, bound and verification.</p>\n";
+    "search, bound and verification. <em>Interior</em> are the local minima that are not on the "
+    "hull. How deep these pits are until they flow over: <em>pit depth</em> is the sum, "
+    "<em>deepest</em> the largest. <em>Pit volume</em> is the water that stands on the surface "
+    "once all are full.</p>\n";
 
 std::string head(const std::string& title) {
   return fmt::format(

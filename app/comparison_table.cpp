@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/common.h"
 #include <fmt/format.h>
@@ -12,9 +13,12 @@ namespace {
 
 constexpr const char* kNothing = "-";
 
-/// Writes the numbers of one column with the same decimals: enough for seven digits of the largest.
+/// Writes the numbers of one column with the same decimals: enough for so many digits of the
+/// largest.
 class ColumnFormat {
  public:
+  explicit ColumnFormat(int digits = 7) : digits_(digits) {}
+
   void include(double value) {
     if (!std::isfinite(value)) return;
     whole_ = whole_ && value == std::floor(value);
@@ -30,15 +34,15 @@ class ColumnFormat {
 
  private:
   std::string written(double value) const {
-    constexpr int digits = 7;
     constexpr double longest = 1e15;
     if (whole_ && largest_ < longest) return fmt::format("{:.0f}", value);
     const int before_point = static_cast<int>(std::floor(std::log10(largest_))) + 1;
-    if (before_point > digits || before_point < -2)
-      return fmt::format("{:.{}e}", value, digits - 1);
-    return fmt::format("{:.{}f}", value, std::max(digits - std::max(before_point, 1), 1));
+    if (before_point > digits_ || before_point < -2)
+      return fmt::format("{:.{}e}", value, digits_ - 1);
+    return fmt::format("{:.{}f}", value, std::max(digits_ - std::max(before_point, 1), 1));
   }
 
+  int digits_;
   bool whole_ = true;
   double largest_ = 0;
 };
@@ -47,6 +51,16 @@ ColumnFormat format_of_values(const ObjectiveComparison& objective) {
   ColumnFormat format;
   for (const ComparisonRow& row : objective.rows)
     for (const double value : {row.value.result, row.value.bound}) format.include(value);
+  return format;
+}
+
+/// Of what is measured in the terrain's pits, over all rows, so that objectives can be compared.
+ColumnFormat format_of_pits(const Comparison& comparison, double PitTotals::*member) {
+  ColumnFormat format(5);
+  if (comparison.delaunay_pits) format.include((*comparison.delaunay_pits).*member);
+  for (const ObjectiveComparison& objective : comparison.objectives)
+    for (const ComparisonRow& row : objective.rows)
+      if (row.pits) format.include((*row.pits).*member);
   return format;
 }
 
@@ -64,6 +78,27 @@ ColumnFormat format_of_errors(const Comparison& comparison) {
     }
   }
   return format;
+}
+
+/// Interior minima, sum of depths, largest depth, volume.
+class PitCells {
+ public:
+  explicit PitCells(const Comparison& comparison)
+      : depth_(format_of_pits(comparison, &PitTotals::depth)),
+        deepest_(format_of_pits(comparison, &PitTotals::deepest)),
+        volume_(format_of_pits(comparison, &PitTotals::volume)) {}
+
+  std::vector<std::string> of(const PitTotals& pits) const {
+    return {fmt::format("{}", pits.count), depth_.text(pits.depth), deepest_.text(pits.deepest),
+            volume_.text(pits.volume)};
+  }
+
+ private:
+  ColumnFormat depth_, deepest_, volume_;
+};
+
+std::string interior_minima(std::size_t count) {
+  return fmt::format("{} interior {}", count, count == 1 ? "minimum" : "minima");
 }
 
 std::string proof_text(const ComparisonRow& row) {
@@ -89,11 +124,14 @@ std::size_t width_of(const std::string& text) {
 
 Table table_of(const Comparison& comparison, const ObjectiveComparison& objective) {
   const ColumnFormat value = format_of_values(objective), error = format_of_errors(comparison);
+  const PitCells pits(comparison);
   const bool heights = !objective.rows.empty() && objective.rows[0].local_minima.has_value();
   const bool fits = comparison.truth && comparison.truth->delaunay;
 
   Table table{{"k", "value", "bound", "proof", "change", "order", "smallest angle"}, {}};
-  if (heights) table.headings.push_back("local minima");
+  if (heights)
+    table.headings.insert(table.headings.end(),
+                          {"local minima", "interior", "pit depth", "deepest", "pit volume"});
   if (fits) table.headings.insert(table.headings.end(), {"RMSE", "max error"});
   table.headings.push_back("seconds");
 
@@ -105,7 +143,11 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
                                    change_text(row),
                                    fmt::format("{}", row.order),
                                    fmt::format("{:.3g}°", row.smallest_angle)};
-    if (heights) cells.push_back(fmt::format("{}", row.local_minima.value_or(0)));
+    if (heights) {
+      cells.push_back(fmt::format("{}", row.local_minima.value_or(0)));
+      for (std::string& cell : pits.of(row.pits.value_or(PitTotals{})))
+        cells.push_back(std::move(cell));
+    }
     if (fits) {
       cells.push_back(row.fit ? error.text(row.fit->rmse) : kNothing);
       cells.push_back(row.fit ? error.text(row.fit->max_error) : kNothing);
@@ -138,6 +180,12 @@ std::string aligned(const Table& table) {
 std::vector<Fact> facts_of(const Comparison& comparison) {
   std::vector<Fact> facts{{"points", fmt::format("{}, {} dropped", comparison.points,
                                                  counted(comparison.duplicates, "duplicate"))}};
+  if (comparison.delaunay_pits) {
+    const std::vector<std::string> cells = PitCells(comparison).of(*comparison.delaunay_pits);
+    facts.push_back({"pits", fmt::format("Delaunay: {}, {} deep in all, the deepest {}, volume {}",
+                                         interior_minima(comparison.delaunay_pits->count), cells[1],
+                                         cells[2], cells[3])});
+  }
   if (!comparison.truth) return facts;
   const TruthSummary& truth = *comparison.truth;
   facts.push_back({"truth", fmt::format("{}, {} outside the hull", counted(truth.points, "point"),

@@ -1,15 +1,13 @@
 // hodt triangulate: points in, a mesh out.
-#include <filesystem>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "app/common.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/io/input_text.h"
+#include "hodt/io/places_file.h"
 #include "hodt/io/point_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/pipeline.h"
@@ -97,46 +95,6 @@ std::string summary(const Report& report, const Arguments& arguments) {
   return text + fmt::format("{:<13} {}\n", "written", arguments.output);
 }
 
-/// A GeoJSON file of polygons and points, or a table of points.
-void read_keep(const std::string& path, TriangulateOptions& options) {
-  if (const std::string extension = std::filesystem::path(path).extension();
-      extension != ".geojson" && extension != ".json") {
-    options.keep_places = read_points(path).xy;
-    return;
-  }
-  const auto bad = [&](std::string_view what) {
-    return InputError(fmt::format("{}: {}; polygons and points are what can be kept", path, what));
-  };
-  const auto point_of = [&](const Json& position) { return Point{position.at(0), position.at(1)}; };
-  const auto add = [&](const Json& geometry, const auto& self) -> void {
-    const std::string type = geometry.at("type");
-    if (type == "FeatureCollection")
-      for (const Json& feature : geometry.at("features")) self(feature, self);
-    else if (type == "GeometryCollection")
-      for (const Json& part : geometry.at("geometries")) self(part, self);
-    else if (type == "Feature")
-      self(geometry.at("geometry"), self);
-    else if (type == "Point")
-      options.keep_places.push_back(point_of(geometry.at("coordinates")));
-    else if (type == "Polygon" || type == "MultiPolygon") {
-      const Json coordinates = type == "Polygon" ? Json::array({geometry.at("coordinates")})
-                                                 : geometry.at("coordinates");
-      for (const Json& polygon : coordinates) {
-        std::vector<Point> outline;  // holes do not matter: what is in them is enclosed
-        for (const Json& position : polygon.at(0)) outline.push_back(point_of(position));
-        options.keep_outlines.push_back(std::move(outline));
-      }
-    } else {
-      throw bad(fmt::format("it has a {}", type));
-    }
-  };
-  try {
-    add(Json::parse(read_input(path).view()), add);
-  } catch (const Json::exception&) {
-    throw bad("this is no GeoJSON");
-  }
-}
-
 TriangulateOptions options_of(const Arguments& arguments) {
   TriangulateOptions options;
   options.order = parse_order(arguments.order);
@@ -145,7 +103,12 @@ TriangulateOptions options_of(const Arguments& arguments) {
   check_method(options.method, options.objective);
   options.time_limit = parse_seconds(arguments.time_limit);
   options.min_pit_depth = parse_non_negative("--min-pit-depth", "a depth", arguments.min_pit_depth);
-  if (!arguments.keep.empty()) read_keep(arguments.keep, options);
+  if (arguments.keep.empty()) return options;
+  if (arguments.input == "-" && arguments.keep == "-")
+    throw ParameterError("INPUT and --keep cannot both be standard input");
+  Places places = read_places(arguments.keep);
+  options.keep_places = std::move(places.points);
+  options.keep_outlines = std::move(places.outlines);
   return options;
 }
 
@@ -155,6 +118,7 @@ int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_output_extension(arguments.output);
   check_targets(arguments.input, arguments.output, arguments.json);
+  check_targets(arguments.keep, arguments.output, arguments.json);
 
   Stopwatch watch;
   TriangulateResult result;

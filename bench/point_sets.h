@@ -58,4 +58,35 @@ inline std::vector<hodt::Point> circle(std::size_t n) {
   return points;
 }
 
+/// Uniform in the disk of radius 1 around (0, 0), but for those that are nearer than `hole`.
+inline std::vector<hodt::Point> annulus(std::size_t n, double hole) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> side(-1, 1);
+  std::vector<hodt::Point> points;
+  while (points.size() < n) {
+    const double x = side(random), y = side(random), square = x * x + y * y;
+    if (square <= 1 && square >= hole * hole) points.push_back({x, y});
+  }
+  return points;
+}
+
+inline std::vector<hodt::Point> disk(std::size_t n) {
+  return annulus(n, 0);
+}
+
+/// Around an empty disk of half the radius.
+inline std::vector<hodt::Point> ring(std::size_t n) {
+  return annulus(n, 0.5);
+}
+
+/// At the corners of a square, the gaps as wide as a radius.
+inline std::vector<hodt::Point> four_disks(std::size_t n) {
+  std::vector<hodt::Point> points = disk(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    points[i].x += i % 2 ? 3 : 0;
+    points[i].y += i / 2 % 2 ? 3 : 0;
+  }
+  return points;
+}
+
 }  // namespace point_sets

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes cells of a raster that a sample of it left out, for `hodt compare --truth`.
+"""Writes points that a sample left out, for `hodt compare --truth`.
 
-    scripts/withheld_cells.py DIR/NAME > truth.csv
+    scripts/withheld_cells.py FULL.csv.gz SAMPLE.csv > truth.csv
 
-DIR/NAME holds full.csv.gz, all cells of the raster, and sample10000.csv; both with columns x, y, z.
-Draws 100,000 cells at random, always the same.
+FULL holds all points, SAMPLE some of them; both with columns x, y, z. Draws at most 100,000 of the
+others at random, always the same.
 """
 
 import csv
@@ -20,11 +20,11 @@ def rows(file):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) != 3:
         sys.exit(__doc__)
-    with gzip.open(f"{sys.argv[1]}/full.csv.gz", "rt") as file:
+    with gzip.open(sys.argv[1], "rt") as file:
         cells = rows(file)
-    with open(f"{sys.argv[1]}/sample10000.csv") as file:
+    with open(sys.argv[2]) as file:
         sampled = {row[:2] for row in rows(file)}
     withheld = [cell for cell in cells if cell[:2] not in sampled]
     random.Random(1).shuffle(withheld)

@@ -184,6 +184,8 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
     report.seconds.optimize = watch.lap();
     if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices);
   }
+  if (options.measure_pits && points.has_heights())
+    report.pits = pit_totals(delaunay.mesh, vertices.xy, vertices.z);
 
   watch.lap();
   const OutputNumbering numbering(vertices, points.size());

@@ -10,6 +10,7 @@
 #include "hodt/base/progress.h"
 #include "hodt/geometry/point_set.h"
 #include "hodt/optimize/objective.h"
+#include "hodt/optimize/pit_water.h"
 #include "hodt/tin/extrema.h"
 #include "hodt/tin/tin.h"
 
@@ -29,6 +30,9 @@ struct TriangulateOptions {
   double min_pit_depth = 0;
   std::vector<Point> keep_places = {};
   std::vector<std::vector<Point>> keep_outlines = {};
+  /// Whether the report says how deep the pits are and what they hold. The flood for it takes
+  /// longer than the triangulation.
+  bool measure_pits = false;
   /// Told what the job is doing; may be empty.
   Progress progress = {};
 };
@@ -68,6 +72,9 @@ struct Report {
   /// Of the Delaunay triangulation and of the result; empty if the input has no heights.
   std::optional<ExtremaCount> extrema_delaunay;
   std::optional<ExtremaCount> extrema_result;
+  /// Of the result; empty also if options.measure_pits is not set. For those of the Delaunay
+  /// triangulation ask for Objective::none.
+  std::optional<PitTotals> pits;
   Seconds seconds;
 };
 

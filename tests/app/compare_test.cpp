@@ -71,6 +71,7 @@ TEST_F(CompareCommand, AgreesWithTriangulate) {
       EXPECT_EQ(row["order"], report["order"]) << name << " " << k;
       const Json& minima = report["local_minima"]["result"];
       EXPECT_EQ(row["local_minima"], int(minima["interior"]) + int(minima["boundary"]));
+      EXPECT_EQ(row["pits"]["interior_minima"], minima["interior"]);
       const double before = report["value"]["delaunay"], after = report["value"]["result"];
       EXPECT_NEAR(row["change_percent"], 100 * (after - before) / before, 1e-9);
       EXPECT_TRUE(row["rmse"].is_null());
@@ -100,21 +101,43 @@ TEST_F(CompareCommand, MeasuresTheSmallestAngle) {
   EXPECT_NEAR(rows[0]["value"], 90, 1e-9);
 }
 
+TEST_F(CompareCommand, MeasuresPits) {
+  // A pyramid upside down, 3 deep.
+  put("pyramid.csv", "0,0,4\n4,0,4\n0,4,4\n4,4,4\n2,2,1\n");
+  const Json pyramid = compared("pyramid.csv --orders 0");
+  const Json full = {
+      {"interior_minima", 1}, {"total_depth", 3}, {"largest_depth", 3}, {"volume", 16}};
+  EXPECT_EQ(pyramid["delaunay_pits"], full);
+  EXPECT_EQ(pyramid["objectives"][0]["rows"][0]["pits"], full);
+  const std::string table = run("compare pyramid.csv --orders 0").out;
+  EXPECT_NE(table.find("Delaunay: 1 interior minimum, 3 deep in all, the deepest 3, volume 16"),
+            std::string::npos)
+      << table;
+
+  sample();
+  const Json hills = compared("points.csv --orders 0,8");
+  const Json& rows = hills["objectives"][0]["rows"];
+  EXPECT_EQ(rows[0]["pits"], hills["delaunay_pits"]);
+  for (const char* total : {"interior_minima", "total_depth", "volume"})
+    EXPECT_LT(double(rows[1]["pits"][total]), double(rows[0]["pits"][total])) << total;
+}
+
 TEST_F(CompareCommand, PrintsATable) {
   sample();
   const Json rows = compared("points.csv --orders 0,4")["objectives"][0]["rows"];
   const Outcome outcome = run("compare points.csv --orders 0,4");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto lines = words_of(outcome.out);
-  ASSERT_EQ(lines.size(), 6u) << outcome.out;
+  ASSERT_EQ(lines.size(), 7u) << outcome.out;
   EXPECT_EQ(lines[0], (std::vector<std::string>{"points", "300,", "0", "duplicates", "dropped"}));
-  EXPECT_EQ(lines[2], std::vector<std::string>{"min-local-minima"});
-  EXPECT_EQ(lines[3][0], "k");
+  EXPECT_EQ(lines[1][0], "pits");
+  EXPECT_EQ(lines[3], std::vector<std::string>{"min-local-minima"});
+  EXPECT_EQ(lines[4][0], "k");
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(lines[4 + i][0], rows[i]["k"].dump());
-    EXPECT_EQ(lines[4 + i][1], rows[i]["value"].dump());
-    EXPECT_EQ(lines[4 + i][2], rows[i]["bound"].dump());
-    EXPECT_EQ(lines[4 + i][3], "proved");
+    EXPECT_EQ(lines[5 + i][0], rows[i]["k"].dump());
+    EXPECT_EQ(lines[5 + i][1], rows[i]["value"].dump());
+    EXPECT_EQ(lines[5 + i][2], rows[i]["bound"].dump());
+    EXPECT_EQ(lines[5 + i][3], "proved");
   }
   std::vector<std::size_t> widths;
   std::istringstream stream(outcome.out);
@@ -169,8 +192,12 @@ TEST_F(CompareCommand, LeavesOutWhatNeedsHeights) {
     const std::string name = objective["objective"];
     EXPECT_EQ(name.find("local"), name.npos);
     EXPECT_EQ(name.find("flat"), name.npos);
-    for (const Json& row : objective["rows"]) EXPECT_TRUE(row["local_minima"].is_null());
+    for (const Json& row : objective["rows"]) {
+      EXPECT_TRUE(row["local_minima"].is_null());
+      EXPECT_TRUE(row["pits"].is_null());
+    }
   }
+  EXPECT_TRUE(flat["delaunay_pits"].is_null());
   EXPECT_EQ(run("compare flat.csv --objective all").out.find("local minima"), std::string::npos);
 }
 

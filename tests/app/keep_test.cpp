@@ -56,6 +56,9 @@ TEST_F(KeepCommand, errors_say_what_is_wrong) {
             0);
   expect_refused("triangulate p.csv -o t.obj --keep bad.geojson", "no GeoJSON");
   expect_refused("triangulate p.csv -o t.obj --keep line.geojson", "LineString");
+  expect_refused("triangulate - -o t.obj --keep -", "both be standard input");
+  expect_refused("triangulate p.csv -o t.obj --keep none.geojson", "none.geojson");
+  expect_refused("triangulate p.csv -o t.obj --keep p.csv --json p.csv", "p.csv is the input");
   expect_refused("triangulate p.csv -o t.obj --min-pit-depth deep", "--min-pit-depth");
   expect_refused("triangulate p.csv -o t.obj --min-pit-depth 1 --objective min-max-angle",
                  "min-max-angle");

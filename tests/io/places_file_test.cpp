@@ -1,0 +1,91 @@
+#include "hodt/io/places_file.h"
+
+#include <string>
+
+#include "temporary_directory.h"
+#include <gtest/gtest.h>
+
+#include "hodt/base/error.h"
+#include "hodt/io/atomic_write.h"
+
+namespace hodt {
+namespace {
+
+using test::message_of;
+using test::TemporaryDirectory;
+
+using Outline = std::vector<Point>;
+
+Places places_of(const std::string& text, const std::string& name = "places.geojson") {
+  const TemporaryDirectory directory;
+  return read_places(directory.file(name, text));
+}
+
+std::string refusal_of(const std::string& text) {
+  return message_of<InputError>([&] { places_of(text); });
+}
+
+TEST(PlacesFile, reads_single_geometries) {
+  EXPECT_EQ(places_of(R"({"type": "Point", "coordinates": [1.5, -2, 30]})").points,
+            Outline({{1.5, -2}}));
+  EXPECT_EQ(places_of(R"({"type": "MultiPoint", "coordinates": [[1, 2], [3, 4]]})").points,
+            Outline({{1, 2}, {3, 4}}));
+  const Places polygon = places_of(
+      R"({"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [0, 9], [0, 0]], [[1, 1], [2, 1], [1, 2]]]})");
+  EXPECT_TRUE(polygon.points.empty());
+  ASSERT_EQ(polygon.outlines.size(), 1u);  // without the hole
+  EXPECT_EQ(polygon.outlines[0], Outline({{0, 0}, {9, 0}, {0, 9}, {0, 0}}));
+  const Places two = places_of(
+      R"({"type": "MultiPolygon", "coordinates": [[[[0, 0], [1, 0], [0, 1]]], [[[5, 5], [6, 5], [5, 6]]]]})");
+  ASSERT_EQ(two.outlines.size(), 2u);
+  EXPECT_EQ(two.outlines[1], Outline({{5, 5}, {6, 5}, {5, 6}}));
+}
+
+TEST(PlacesFile, reads_collections) {
+  const Places places = places_of(R"({"type": "FeatureCollection", "features": [
+      {"type": "Feature", "properties": {}, "geometry": null},
+      {"type": "Feature", "geometry": {"type": "GeometryCollection", "geometries": [
+          {"type": "Point", "coordinates": [1, 2]},
+          {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1]]]}]}},
+      {"type": "Feature", "geometry": {"type": "Point", "coordinates": [3, 4]}}]})");
+  EXPECT_EQ(places.points.size(), 2u);
+  EXPECT_EQ(places.outlines.size(), 1u);
+  EXPECT_TRUE(places_of(R"({"type": "FeatureCollection", "features": []})").points.empty());
+}
+
+TEST(PlacesFile, reads_what_is_nested_deeply) {
+  std::string head, tail;
+  for (int i = 0; i < 100000; ++i) {
+    head += R"({"type": "GeometryCollection", "geometries": [)";
+    tail += "]}";
+  }
+  const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
+  EXPECT_EQ(places_of(head + point + tail).points, Outline({{1, 2}}));
+}
+
+TEST(PlacesFile, the_name_tells_the_format) {
+  const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
+  EXPECT_EQ(places_of(point, "P.GeoJSON").points.size(), 1u);
+  EXPECT_EQ(places_of(point, "p.json").points.size(), 1u);
+  EXPECT_EQ(places_of("x,y,z\n1,2,3\n4,5,6\n", "p.csv").points, Outline({{1, 2}, {4, 5}}));
+  EXPECT_THROW(places_of(point, "p.csv"), InputError);
+}
+
+TEST(PlacesFile, refuses_what_it_cannot_use) {
+  for (const char* text :
+       {"", "nonsense", "[]", "3", "null", "{}", R"({"type": 3})", R"({"type": "Point"})",
+        R"({"type": "Point", "coordinates": [1]})", R"({"type": "Point", "coordinates": ["1", 2]})",
+        R"({"type": "Point", "coordinates": [1e999, 2]})",
+        R"({"type": "Polygon", "coordinates": []})",
+        R"({"type": "Polygon", "coordinates": [[0, 0], [1, 0], [0, 1]]})", R"({"type": "Feature"})",
+        R"({"type": "FeatureCollection"})"})
+    EXPECT_NE(refusal_of(text).find("places.geojson: this is no GeoJSON"), std::string::npos)
+        << text;
+  EXPECT_NE(refusal_of(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})")
+                .find("places.geojson: it has a LineString"),
+            std::string::npos);
+  EXPECT_THROW(read_places("no/such/file.geojson"), FileError);
+}
+
+}  // namespace
+}  // namespace hodt
