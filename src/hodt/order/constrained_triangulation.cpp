@@ -97,17 +97,6 @@ HalfEdgeId ConstrainedTriangulation::find_edge(VertexId from, VertexId to) const
   return found;
 }
 
-void ConstrainedTriangulation::owners_crossed(VertexId from, VertexId to,
-                                              std::vector<VertexId>& owners) const {
-  owners.clear();
-  if (find_edge(from, to).valid()) return;
-  for_each_crossed(mesh_, xy_, outgoing(from), from, to, [&](HalfEdgeId h) {
-    const VertexId a = mesh_.origin(h), b = mesh_.target(h);
-    if (partner_[a] == b) owners.push_back(a);
-    if (partner_[b] == a) owners.push_back(b);
-  });
-}
-
 // ---- Locking: the triangles that the segment crosses make way. ----
 
 bool ConstrainedTriangulation::lock(VertexId owner, VertexId to) {

@@ -51,9 +51,6 @@ class ConstrainedTriangulation {
            (!for_good_.empty() && for_good_.contains(std::minmax<Index>(a, b)));
   }
 
-  /// The owners of the locked edges that the segment crosses, in order along it.
-  void owners_crossed(VertexId from, VertexId to, std::vector<VertexId>& owners) const;
-
   /// Whether triangle t is in the place and shape that it has in the Delaunay triangulation.
   bool is_original(TriangleId t) const;
 
