@@ -33,6 +33,7 @@ class Owners {
     for (Index e = 0; e < edges_.size(); ++e) {
       if (is_owned_[e]) continue;
       own_one(edges_[e].u);
+      if (!is_owned_[e]) own_one(edges_[e].v);
       take_leaves();
     }
     return std::move(partners_);
