@@ -11,11 +11,8 @@
 #include "hodt/base/parallel.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
-#include "hodt/optimize/first_order_extrema.h"
 #include "hodt/optimize/minima_to_keep.h"
-#include "hodt/optimize/minimize_degree.h"
-#include "hodt/optimize/optimize_measure.h"
-#include "hodt/optimize/remove_extrema.h"
+#include "hodt/optimize/optimize.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
 
@@ -23,11 +20,19 @@ namespace hodt {
 
 namespace {
 
-void require_heights(const PointSet& points, Objective objective) {
-  if (!needs_heights(objective) || points.has_heights()) return;
-  throw ParameterError(fmt::format(
-      "the objective {} needs heights, and the points have none; add a z column or choose none",
-      name_of(objective)));
+bool asks_to_keep(const TriangulateOptions& options) {
+  return options.min_pit_depth > 0 || !options.keep_places.empty() ||
+         !options.keep_outlines.empty();
+}
+
+/// Before any work is done.
+void check(const PointSet& points, const TriangulateOptions& options) {
+  check_heights(options.objective, points.has_heights());
+  check_method(options.method, options.objective);
+  if (asks_to_keep(options) && !counts_minima(options.objective))
+    throw ParameterError(
+        fmt::format("minima to keep are for objectives that remove minima; {} is not one",
+                    name_of(options.objective)));
 }
 
 /// Vertex numbers of the output: input order, dropped duplicates left out.
@@ -77,58 +82,6 @@ ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
   return count_extrema(vertices.xy, vertices.z, mesh.origins());
 }
 
-struct Optimum {
-  TriangleMesh mesh;
-  Value value;
-};
-
-Optimum from(ExtremaSolution&& solution) {
-  return {std::move(solution.mesh),
-          {.delaunay = double(solution.delaunay),
-           .result = double(solution.result),
-           .bound = double(solution.bound),
-           .optimal = solution.result == solution.bound}};
-}
-
-Optimum from(MeasuredSolution&& solution) {
-  return {std::move(solution.mesh),
-          {.delaunay = solution.delaunay,
-           .result = solution.result,
-           .bound = solution.bound,
-           .optimal = solution.is_optimal()}};
-}
-
-Optimum optimize(const DelaunayGraph& graph, const VertexSet& vertices,
-                 const TriangulateOptions& options, std::span<const bool> keep) {
-  // More than n - 3 points are never inside a circle.
-  const Index order = std::min(options.order, static_cast<Index>(vertices.size() - 3));
-  const Deadline deadline(options.time_limit);
-  if (options.objective.kind == Objective::measured)
-    return from(optimize_measure({.graph = graph,
-                                  .z = vertices.z,
-                                  .order = order,
-                                  .objective = options.objective,
-                                  .method = options.method,
-                                  .deadline = deadline}));
-  if (options.objective == Objective::min_max_degree)
-    return from(minimize_degree(graph, order, deadline));
-  if (options.order == 1 && options.objective == Objective::min_local_extrema && keep.empty())
-    return from(minimize_first_order_extrema(graph, vertices.z));
-  return from(remove_extrema({.graph = graph,
-                              .z = vertices.z,
-                              .order = order,
-                              .objective = options.objective,
-                              .method = options.method,
-                              .keep = keep,
-                              .deadline = deadline,
-                              .progress = options.progress}));
-}
-
-bool asks_to_keep(const TriangulateOptions& options) {
-  return options.min_pit_depth > 0 || !options.keep_places.empty() ||
-         !options.keep_outlines.empty();
-}
-
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
 TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& options,
                        Report& report) {
@@ -139,7 +92,12 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
                                                  options.keep_places, options.keep_outlines)
                                 : Buffer<bool>();
   report.kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
-  Optimum optimum = optimize(graph, delaunay.vertices, options, keep);
+  Optimum optimum = optimize(graph, delaunay.vertices.z, options.objective,
+                             {.order = options.order,
+                              .method = options.method,
+                              .time_limit = options.time_limit,
+                              .keep = keep,
+                              .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
   report.order_histogram = order_histogram(graph, optimum.mesh);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
@@ -148,19 +106,17 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
         "a triangle of order {} where {} was asked for; this is a defect of hodt, please report it "
         "with the input",
         report.order, options.order));
-  report.value = optimum.value;
+  report.value = {.delaunay = optimum.delaunay,
+                  .result = optimum.result,
+                  .bound = optimum.bound,
+                  .optimal = optimum.optimal};
   return std::move(optimum.mesh);
 }
 
 }  // namespace
 
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
-  require_heights(points, options.objective);
-  check_method(options.method, options.objective);
-  if (asks_to_keep(options) && !counts_minima(options.objective))
-    throw ParameterError(
-        fmt::format("minima to keep are for objectives that remove minima; {} is not one",
-                    name_of(options.objective)));
+  check(points, options);
   TriangulateResult result;
   Report& report = result.report;
   Stopwatch watch;

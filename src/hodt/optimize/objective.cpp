@@ -129,4 +129,11 @@ std::string name_of(Objective objective) {
                      name_in(kMeasures, objective.measure));
 }
 
+void check_heights(Objective objective, bool has_heights) {
+  if (!needs_heights(objective) || has_heights) return;
+  throw ParameterError(fmt::format(
+      "the objective {} needs heights, and the points have none; add a z column or choose none",
+      name_of(objective)));
+}
+
 }  // namespace hodt

@@ -79,6 +79,9 @@ inline bool counts_extrema(Objective objective) {
 /// Throws ParameterError if the method is not one for the objective.
 void check_method(Method method, Objective objective);
 
+/// Throws ParameterError if the objective needs heights and there are none.
+void check_heights(Objective objective, bool has_heights);
+
 inline bool needs_heights(Objective objective) {
   return counts_extrema(objective) ||
          (objective.kind == Objective::measured &&

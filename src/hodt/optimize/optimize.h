@@ -1,0 +1,42 @@
+// The best triangulation of an order, for any objective.
+#pragma once
+
+#include <span>
+
+#include "hodt/base/progress.h"
+#include "hodt/optimize/objective.h"
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+struct OptimizeOptions {
+  /// No circumcircle of the result holds more than so many points; more than n - 3 is unrestricted.
+  Index order = 4;
+  Method method = Method::automatic;
+  /// Seconds that searching may take; 0: a fixed amount of work, the same on every machine.
+  double time_limit = 0;
+  /// For objectives that count minima: vertices that stay local minima if the Delaunay
+  /// triangulation has them as such. One flag each, or none at all.
+  std::span<const bool> keep = {};
+  /// Told what is going on; may be empty.
+  Progress progress = {};
+};
+
+struct Optimum {
+  TriangleMesh mesh;  ///< with the vertices of the Delaunay triangulation
+  /// The objective's value: of the Delaunay triangulation, and of the mesh.
+  double delaunay = 0;
+  double result = 0;
+  /// Proven: no triangulation of the order does better.
+  double bound = 0;
+  /// The mesh is proven best.
+  bool optimal = false;
+};
+
+/// Optimises a Delaunay triangulation. `z` has a height for each vertex, or none at all. Throws
+/// ParameterError if the objective needs heights and there are none, or cannot be optimised by the
+/// method. For Objective::none the mesh is the Delaunay triangulation, and the values are 0.
+Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objective objective,
+                 const OptimizeOptions& options = {});
+
+}  // namespace hodt
