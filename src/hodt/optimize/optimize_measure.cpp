@@ -50,14 +50,8 @@ class Optimizer {
  private:
   /// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere.
   void flip_quadrilaterals() {
-    const std::vector<HalfEdgeId> edges = first_order_edges(graph_);
-    Buffer<bool> is_better(edges.size());
-    parallel_for(0, edges.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) is_better[i] = is_better_flipped(edges[i]);
-    });
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      if (!is_better[i]) continue;
-      const HalfEdgeId h = edges[i];
+    const auto is_better = [&](HalfEdgeId h) { return is_better_flipped(h); };
+    for (const HalfEdgeId h : first_order_edges(graph_, is_better)) {
       const HalfEdgeId diagonal = solution_.mesh.flip(h);
       for (const HalfEdgeId side : {diagonal, solution_.mesh.twin(diagonal)}) {
         const auto [a, b, c] = solution_.mesh.corners(TriangleMesh::triangle(side));

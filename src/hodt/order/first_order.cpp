@@ -158,7 +158,8 @@ bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
          holds_only_origin(graph, Circle(pv, pu, py), h);
 }
 
-std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph) {
+std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
+                                          const std::function<bool(HalfEdgeId)>& wanted) {
   const TriangleMesh& mesh = graph.mesh;
   const auto find = [&](std::size_t first, std::size_t last, std::vector<HalfEdgeId>& found) {
     Batch batch;
@@ -173,9 +174,9 @@ std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph) {
       batch.judge(graph, {edges.data(), size});
       for (std::size_t i = 0; i < size; ++i) {
         const Batch::Verdict verdict = batch.verdict(i);
-        if (verdict != Batch::kNo &&
-            (verdict == Batch::kNearestOutside ? is_flippable_beyond_nearest(graph, edges[i])
-                                               : is_first_order_flippable(graph, edges[i])))
+        if (verdict == Batch::kNo || (wanted && !wanted(edges[i]))) continue;
+        if (verdict == Batch::kNearestOutside ? is_flippable_beyond_nearest(graph, edges[i])
+                                              : is_first_order_flippable(graph, edges[i]))
           found.push_back(edges[i]);
       }
     }

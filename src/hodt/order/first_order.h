@@ -1,6 +1,7 @@
 // The structure of first-order Delaunay triangulations (Section 4 of the paper).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "hodt/order/delaunay_graph.h"
@@ -12,7 +13,9 @@ namespace hodt {
 /// All other edges are fixed: they are in every triangulation of order 1.
 bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h);
 
-/// The flippable edges, one half-edge each (the smaller of the two), ascending. O(n).
-std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph);
+/// The flippable edges, one half-edge each (the smaller of the two), ascending; of these the ones
+/// that are wanted, which several threads may ask at once. O(n).
+std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
+                                          const std::function<bool(HalfEdgeId)>& wanted = {});
 
 }  // namespace hodt
