@@ -262,8 +262,8 @@ BinaryRows rows_of(const ChoiceProblem& problem) {
 /// Branches, and shrinks what is left after every branching.
 class Search {
  public:
-  Search(const Deadline& deadline, std::size_t most_programs)
-      : deadline_(deadline), programs_left_(most_programs) {}
+  Search(const Deadline& deadline, std::size_t most_work)
+      : deadline_(deadline), work_left_(most_work) {}
 
   struct Result {
     std::vector<Index> edges;
@@ -281,7 +281,7 @@ class Search {
                     const Buffer<bool>& is_gone);
 
   const Deadline& deadline_;
-  std::size_t programs_left_;
+  std::size_t work_left_;
 };
 
 Search::Result greedily(const ChoiceProblem& problem) {
@@ -309,9 +309,11 @@ Search::Result Search::solve(const ChoiceProblem& problem) {
 
 Search::Result Search::solve_part(const ChoiceProblem& problem) {
   Result best = greedily(problem);
-  if (programs_left_ == 0 || deadline_.passed()) return best;
-  --programs_left_;
   const std::size_t edges = problem.rivals.size(), variables = edges + problem.edges_of.size();
+  std::size_t work = variables;
+  for (Index e = 0; e < edges; ++e) work += problem.rivals[e].size() / 2;
+  if (work > work_left_ / 4 || deadline_.passed()) return best;
+  work_left_ -= work;
   std::vector<double> costs(variables, 0);
   std::fill(costs.begin() + std::ptrdiff_t(edges), costs.end(), 1.0);
   BinaryProgram program(rows_of(problem), variables, deadline_, 1);
@@ -385,14 +387,13 @@ Search::Result Search::solve_rest(const ChoiceProblem& problem, const std::vecto
 
 }  // namespace
 
-Choice choose_edges(const ChoiceProblem& problem, const Deadline& deadline,
-                    std::size_t most_programs) {
+Choice choose_edges(const ChoiceProblem& problem, const Deadline& deadline, std::size_t most_work) {
   const Kernel kernel(problem);
   std::vector<Part> parts = parts_of(problem, kernel);
   std::vector<Search::Result> results(parts.size());
   parallel_for(0, parts.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      results[i] = Search(deadline, most_programs).solve_part(parts[i].problem);
+      results[i] = Search(deadline, most_work).solve_part(parts[i].problem);
   });
 
   Choice choice{kernel.taken(), {}};

@@ -29,9 +29,9 @@ struct Choice {
 /// Where some edge of a target has no rivals left, it is taken; where all that an edge excludes is
 /// excluded by another edge of the target too, the other goes. What is left falls apart into parts,
 /// each a program in zeros and ones: a variable for each edge and for each target that goes
-/// without. On parts whose program ends before it is solved, the choice may not be the best, and
-/// `unserved` not be reached.
-Choice choose_edges(const ChoiceProblem& problem, const Deadline& deadline,
-                    std::size_t most_programs);
+/// without. A program's work is its variables and pairs of rivals: all programs of a part together
+/// are allowed `most_work`, and each a quarter of what is left. On parts where that ends the
+/// search, the choice may not be the best, and `unserved` not be reached.
+Choice choose_edges(const ChoiceProblem& problem, const Deadline& deadline, std::size_t most_work);
 
 }  // namespace hodt

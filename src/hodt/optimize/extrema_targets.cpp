@@ -6,7 +6,8 @@ namespace hodt {
 
 namespace {
 
-constexpr Index kFirstSearch = 4;         // the order up to which every target's edges are searched
+constexpr Index kFirstSearch = 4;  // the order up to which every target's edges are searched
+constexpr std::size_t kMostOffered = 256;
 constexpr std::size_t kEffort = 1 << 24;  // questions of a search; orders below 200 take far fewer
 
 }  // namespace
@@ -49,16 +50,24 @@ void ExtremaTargets::find_edges() {
   }
 }
 
-bool ExtremaTargets::find_all_edges(const std::vector<Index>& targets) {
+bool ExtremaTargets::offer_more_edges(const std::vector<Index>& targets) {
   std::vector<Index> open;
-  for (const Index t : targets)
-    if (needs_search(targets_[t])) open.push_back(t);
+  bool has_more = false;
+  for (const Index t : targets) {
+    Target& target = targets_[t];
+    if (target.offered < std::min(target.edges.size(), kMostOffered)) {
+      target.offered *= 4;
+      has_more = true;
+    } else if (needs_search(target)) {
+      open.push_back(t);
+    }
+  }
   parallel_for(0, open.size(), 8, [&](std::size_t first, std::size_t last) {
     UsefulEdgeSearch& search = searches_.mine();
     for (std::size_t i = first; i < last; ++i)
       if (!deadline_.passed()) search_up_to(search, targets_[open[i]], order_);
   });
-  return !open.empty();
+  return has_more || !open.empty();
 }
 
 void ExtremaTargets::search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const {

@@ -1,6 +1,7 @@
 // The vertices that had better be no extrema, and the edges that would help them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,6 +20,7 @@ struct Target {
   VertexId vertex;
   Extremum kind = Extremum::minimum;
   std::vector<UsefulEdge> edges;  // by order; Delaunay edges have order 0
+  std::size_t offered = 16;       // so many of them, the first, are up for choice
   Index searched = 0;             // all edges up to this order are known
   bool given_up = false;          // the search for more was too long
 };
@@ -38,19 +40,27 @@ class ExtremaTargets {
   /// and small orders are cheap to search. Larger orders only for those that found none, level by
   /// level, so that a deadline finds the cheap ones done.
   void find_edges();
-  /// Finds all edges of these targets. Whether that brought any news.
-  bool find_all_edges(const std::vector<Index>& targets);
+  /// Offers more edges of these targets, and finds all if those known are offered. Whether there
+  /// was more to do. Few targets need more than the first: what crosses what, of thousands of
+  /// edges, would take long.
+  bool offer_more_edges(const std::vector<Index>& targets);
 
-  /// All its edges are known.
-  bool is_complete(const Target& target) const { return target.searched >= order_; }
+  std::span<const UsefulEdge> offered(const Target& target) const {
+    return {target.edges.data(), std::min(target.offered, target.edges.size())};
+  }
+  /// All its edges are offered.
+  bool is_complete(const Target& target) const {
+    return is_searched(target) && target.offered >= target.edges.size();
+  }
   /// No triangulation can help it.
   bool is_hopeless(const Target& target) const {
-    return target.edges.empty() && is_complete(target);
+    return target.edges.empty() && is_searched(target);
   }
 
  private:
   void search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const;
-  bool needs_search(const Target& target) const { return !is_complete(target) && !target.given_up; }
+  bool is_searched(const Target& target) const { return target.searched >= order_; }
+  bool needs_search(const Target& target) const { return !is_searched(target) && !target.given_up; }
 
   const DelaunayGraph& graph_;
   const Heights heights_;

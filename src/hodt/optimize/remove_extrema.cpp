@@ -21,8 +21,10 @@ namespace {
 /// One bit a kind of extremum that a vertex is.
 using State = std::uint8_t;
 
-constexpr std::size_t kPrograms = 200;  // for targets that hang together
-constexpr std::size_t kExactPrograms = 1'000'000;
+constexpr int kRounds = 20;
+// Of choose_edges.
+constexpr std::size_t kWork = 30'000;
+constexpr std::size_t kExactWork = 1'000'000'000;
 
 class Remover {
  public:
@@ -197,14 +199,15 @@ void Remover::choose() {
   const std::size_t before = extrema();
   Buffer<Index> partners(state_.size());
   for (Index v = 0; v < partners.size(); ++v) partners[v] = triangulation_.partner(VertexId(v));
-  const std::size_t most_programs = problem_.method == Method::exact ? kExactPrograms : kPrograms;
-  for (bool has_news = true; has_news;) {
+  const bool exact = problem_.method == Method::exact;
+  bool has_news = true;
+  for (int round = 0; has_news && (exact || round < kRounds); ++round) {
     tell("choice of edges", -1);
     const RemovingEdges best =
-        choose_removing_edges(graph_, targets_, problem_.deadline, most_programs);
-    without_choice_ = best.bound;
+        choose_removing_edges(graph_, targets_, problem_.deadline, exact ? kExactWork : kWork);
+    without_choice_ = std::max(without_choice_, best.bound);
     hold(edge_owners(state_.size(), best.chosen));
-    has_news = targets_.find_all_edges(best.contested);
+    has_news = targets_.offer_more_edges(best.contested);
     has_news |= add_extrema();
     has_news &= !problem_.deadline.passed();
     targets_.find_edges();

@@ -24,7 +24,7 @@ Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targe
   for (Index i = 0; i < targets.size(); ++i) {
     const Target& target = targets[i];
     if (target.edges.empty()) continue;
-    for (const UsefulEdge& e : target.edges)
+    for (const UsefulEdge& e : targets.offered(target))
       found.push_back({std::min<Index>(target.vertex, e.to), std::max<Index>(target.vertex, e.to),
                        e.order, Index(all.targets.size())});
     all.targets.push_back(i);
@@ -51,9 +51,9 @@ Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targe
 }  // namespace
 
 RemovingEdges choose_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
-                                    const Deadline& deadline, std::size_t most_programs) {
+                                    const Deadline& deadline, std::size_t most_work) {
   const Candidates all = candidates_of(graph, targets);
-  const Choice choice = choose_edges(all.problem, deadline, most_programs);
+  const Choice choice = choose_edges(all.problem, deadline, most_work);
   RemovingEdges result;
   for (const Index e : choice.edges)
     if (all.problem.orders[e] > 0) result.chosen.push_back(all.edges[e]);

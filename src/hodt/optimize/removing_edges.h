@@ -23,6 +23,6 @@ struct RemovingEdges {
 /// The edges that remove as many targets as edges can that do not cross: at least as many as any
 /// triangulation of the order removes, if all edges of the contested targets are known.
 RemovingEdges choose_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
-                                    const Deadline& deadline, std::size_t most_programs);
+                                    const Deadline& deadline, std::size_t most_work);
 
 }  // namespace hodt

@@ -53,24 +53,33 @@ bool cross(const DelaunayGraph& graph, const PlainEdge& e, const PlainEdge& f) {
 
 Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges) {
   using Pair = std::pair<Index, Index>;
-  const auto passed = parallel_collect<Pair>(
+  std::vector<Pair> passed = parallel_collect<Pair>(
       0, edges.size(), 1 << 10, [&](std::size_t first, std::size_t last, std::vector<Pair>& found) {
         for (std::size_t i = first; i < last; ++i)
-          for_each_passed(graph, edges[i], [&](TriangleId t) { found.emplace_back(t, Index(i)); });
+          for_each_passed(graph, edges[i], [&](TriangleId t) { found.emplace_back(Index(i), t); });
       });
-  const Lists through(graph.mesh.triangle_count(), passed);
-  return Lists(
-      edges.size(),
-      parallel_collect<Pair>(0, through.size(), 1 << 12,
-                             [&](std::size_t first, std::size_t last, std::vector<Pair>& found) {
-                               for (std::size_t t = first; t < last; ++t)
-                                 for (const Index i : through[Index(t)])
-                                   for (const Index j : through[Index(t)])
-                                     if (i < j && cross(graph, edges[i], edges[j])) {
-                                       found.emplace_back(i, j);
-                                       found.emplace_back(j, i);
-                                     }
-                             }));
+  const Lists triangles(edges.size(), passed);
+  for (auto& [edge, triangle] : passed) std::swap(edge, triangle);
+  const Lists through(graph.mesh.triangle_count(), std::move(passed));
+
+  // Long edges meet in many triangles; each pair is asked about once.
+  PerThread<Buffer<Index>> asked([&] { return Buffer<Index>(edges.size(), kNone); });
+  return Lists(edges.size(), parallel_collect<Pair>(0, edges.size(), 1 << 8,
+                                                    [&](std::size_t first, std::size_t last,
+                                                        std::vector<Pair>& found) {
+                                                      Buffer<Index>& asked_by = asked.mine();
+                                                      for (Index i = Index(first); i < last; ++i)
+                                                        for (const Index t : triangles[i])
+                                                          for (const Index j : through[t]) {
+                                                            if (j <= i || asked_by[j] == i)
+                                                              continue;
+                                                            asked_by[j] = i;
+                                                            if (!cross(graph, edges[i], edges[j]))
+                                                              continue;
+                                                            found.emplace_back(i, j);
+                                                            found.emplace_back(j, i);
+                                                          }
+                                                    }));
 }
 
 }  // namespace hodt
