@@ -15,14 +15,25 @@ class Lists {
  public:
   Lists() = default;
   /// `count` lists from pairs (list, item): each ascending, without repetitions.
-  Lists(std::size_t count, std::vector<std::pair<Index, Index>> pairs) : first_(count + 1, 0) {
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    for (const auto& [list, item] : pairs) {
-      ++first_[list + 1];
-      items_.push_back(item);
-    }
+  Lists(std::size_t count, const std::vector<std::pair<Index, Index>>& pairs)
+      : first_(count + 1, 0), items_(pairs.size()) {
+    for (const auto& [list, item] : pairs) ++first_[list + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (const auto& [list, item] : pairs) items_[next[list]++] = item;
+    // Each list in order, and moved up to where the one before ends.
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto begin = items_.begin() + std::ptrdiff_t(first_[i]);
+      const auto last = items_.begin() + std::ptrdiff_t(first_[i + 1]);
+      std::sort(begin, last);
+      const auto unique_end = std::unique(begin, last);
+      first_[i] = end;
+      end = std::size_t(std::move(begin, unique_end, items_.begin() + std::ptrdiff_t(end)) -
+                        items_.begin());
+    }
+    first_[count] = end;
+    items_.resize(end);
   }
 
   std::size_t size() const { return first_.size() - 1; }

@@ -21,7 +21,9 @@ namespace {
 /// One bit a kind of extremum that a vertex is.
 using State = std::uint8_t;
 
+// Terrains need two to twelve rounds; the limits are for orders near n.
 constexpr int kRounds = 20;
+constexpr std::size_t kCrossings = 50'000'000;
 // Of choose_edges.
 constexpr std::size_t kWork = 30'000;
 constexpr std::size_t kExactWork = 1'000'000'000;
@@ -201,11 +203,13 @@ void Remover::choose() {
   for (Index v = 0; v < partners.size(); ++v) partners[v] = triangulation_.partner(VertexId(v));
   const bool exact = problem_.method == Method::exact;
   bool has_news = true;
-  for (int round = 0; has_news && (exact || round < kRounds); ++round) {
+  std::size_t crossings = 0;
+  for (int round = 0; has_news && (exact || (round < kRounds && crossings < kCrossings)); ++round) {
     tell("choice of edges", -1);
     const RemovingEdges best =
         choose_removing_edges(graph_, targets_, problem_.deadline, exact ? kExactWork : kWork);
     without_choice_ = std::max(without_choice_, best.bound);
+    crossings += best.crossings;
     hold(edge_owners(state_.size(), best.chosen));
     has_news = targets_.offer_more_edges(best.contested);
     has_news |= add_extrema();

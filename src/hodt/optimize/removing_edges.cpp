@@ -55,6 +55,7 @@ RemovingEdges choose_removing_edges(const DelaunayGraph& graph, const ExtremaTar
   const Candidates all = candidates_of(graph, targets);
   const Choice choice = choose_edges(all.problem, deadline, most_work);
   RemovingEdges result;
+  for (Index e = 0; e < all.edges.size(); ++e) result.crossings += all.problem.rivals[e].size() / 2;
   for (const Index e : choice.edges)
     if (all.problem.orders[e] > 0) result.chosen.push_back(all.edges[e]);
   for (const Choice::Part& part : choice.contested) {

@@ -18,6 +18,8 @@ struct RemovingEdges {
   std::size_t bound = 0;
   /// The targets that keep each other from being removed.
   std::vector<Index> contested;
+  /// How many pairs of edges crossed.
+  std::size_t crossings = 0;
 };
 
 /// The edges that remove as many targets as edges can that do not cross: at least as many as any
