@@ -199,8 +199,10 @@ bool Remover::accept_if_better(ConstrainedTriangulation::Moment since) {
 /// be served, their edges of larger orders are asked for, until there is nothing to add.
 void Remover::choose() {
   const std::size_t before = extrema();
-  Buffer<Index> partners(state_.size());
-  for (Index v = 0; v < partners.size(); ++v) partners[v] = triangulation_.partner(VertexId(v));
+  Buffer<Index> greedy(state_.size());
+  for (Index v = 0; v < greedy.size(); ++v) greedy[v] = triangulation_.partner(VertexId(v));
+  Buffer<Index> least_owners;
+  std::size_t least = state_.size() + 1;
   const bool exact = problem_.method == Method::exact;
   bool has_news = true;
   std::size_t crossings = 0;
@@ -210,14 +212,20 @@ void Remover::choose() {
         choose_removing_edges(graph_, targets_, problem_.deadline, exact ? kExactWork : kWork);
     without_choice_ = std::max(without_choice_, best.bound);
     crossings += best.crossings;
-    hold(edge_owners(state_.size(), best.chosen));
+    Buffer<Index> owners = edge_owners(state_.size(), best.chosen);
+    hold(owners);
+    if (extrema() < least) {
+      least = extrema();
+      least_owners = std::move(owners);
+    }
     has_news = targets_.offer_more_edges(best.contested);
     has_news |= add_extrema();
     has_news &= !problem_.deadline.passed();
     targets_.find_edges();
   }
+  if (extrema() > least) hold(least_owners);
   release_where_order_is_too_high();
-  if (extrema() > before || !keeps_all()) hold(partners);
+  if (extrema() > before || !keeps_all()) hold(greedy);
 }
 
 /// Makes the locked edges be just these.
