@@ -106,10 +106,7 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
         "a triangle of order {} where {} was asked for; this is a defect of hodt, please report it "
         "with the input",
         report.order, options.order));
-  report.value = {.delaunay = optimum.delaunay,
-                  .result = optimum.result,
-                  .bound = optimum.bound,
-                  .optimal = optimum.optimal};
+  report.value = optimum.value;
   return std::move(optimum.mesh);
 }
 

@@ -9,7 +9,7 @@
 #include "hodt/base/ids.h"
 #include "hodt/base/progress.h"
 #include "hodt/geometry/point_set.h"
-#include "hodt/optimize/objective.h"
+#include "hodt/optimize/optimize.h"
 #include "hodt/optimize/pit_water.h"
 #include "hodt/tin/extrema.h"
 #include "hodt/tin/tin.h"
@@ -35,16 +35,6 @@ struct TriangulateOptions {
   bool measure_pits = false;
   /// Told what the job is doing; may be empty.
   Progress progress = {};
-};
-
-/// What the objective counts, before and after.
-struct Value {
-  double delaunay = 0;
-  double result = 0;
-  /// Proven: no triangulation of order k does better.
-  double bound = 0;
-  /// The result is proven best.
-  bool optimal = false;
 };
 
 struct Seconds {

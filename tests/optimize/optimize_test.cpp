@@ -26,10 +26,10 @@ TEST(Optimize, any_objective) {
       const Objective objective = objective_from_name(name);
       const Optimum optimum = optimize(graph, delaunay.vertices.z, objective, {.order = k});
       const Value value = *triangulate(set, {.order = k, .objective = objective}).report.value;
-      EXPECT_EQ(optimum.delaunay, value.delaunay) << name << k;
-      EXPECT_EQ(optimum.result, value.result) << name << k;
-      EXPECT_EQ(optimum.bound, value.bound) << name << k;
-      EXPECT_EQ(optimum.optimal, value.optimal) << name << k;
+      EXPECT_EQ(optimum.value.delaunay, value.delaunay) << name << k;
+      EXPECT_EQ(optimum.value.result, value.result) << name << k;
+      EXPECT_EQ(optimum.value.bound, value.bound) << name << k;
+      EXPECT_EQ(optimum.value.optimal, value.optimal) << name << k;
       EXPECT_EQ(optimum.mesh.triangle_count(), delaunay.mesh.triangle_count());
     }
 }
@@ -39,7 +39,7 @@ TEST(Optimize, none_changes_nothing) {
   const Delaunay delaunay = hodt::delaunay(set);
   const Optimum optimum = optimize(DelaunayGraph(delaunay), {}, Objective::none);
   EXPECT_TRUE(support::same_arrays(optimum.mesh, delaunay.mesh));
-  EXPECT_TRUE(optimum.optimal);
+  EXPECT_TRUE(optimum.value.optimal);
 }
 
 TEST(Optimize, says_what_is_missing) {

@@ -14,20 +14,19 @@ namespace hodt {
 namespace {
 
 Optimum from(ExtremaSolution&& solution) {
-  return {.mesh = std::move(solution.mesh),
-          .delaunay = double(solution.delaunay),
-          .result = double(solution.result),
-          .bound = double(solution.bound),
-          .optimal = solution.result == solution.bound};
+  return {std::move(solution.mesh),
+          {.delaunay = double(solution.delaunay),
+           .result = double(solution.result),
+           .bound = double(solution.bound),
+           .optimal = solution.result == solution.bound}};
 }
 
 Optimum from(MeasuredSolution&& solution) {
-  const bool optimal = solution.is_optimal();
-  return {.mesh = std::move(solution.mesh),
-          .delaunay = solution.delaunay,
-          .result = solution.result,
-          .bound = solution.bound,
-          .optimal = optimal};
+  return {std::move(solution.mesh),
+          {.delaunay = solution.delaunay,
+           .result = solution.result,
+           .bound = solution.bound,
+           .optimal = solution.is_optimal()}};
 }
 
 }  // namespace
@@ -39,7 +38,7 @@ Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objectiv
   // More than n - 3 points are never inside a circle.
   const Index order = std::min(options.order, static_cast<Index>(graph.xy.size() - 3));
   const Deadline deadline(options.time_limit);
-  if (objective == Objective::none) return {.mesh = graph.mesh, .optimal = true};
+  if (objective == Objective::none) return {graph.mesh, {.optimal = true}};
   if (objective.kind == Objective::measured)
     return from(optimize_measure({.graph = graph,
                                   .z = z,

@@ -22,15 +22,19 @@ struct OptimizeOptions {
   Progress progress = {};
 };
 
-struct Optimum {
-  TriangleMesh mesh;  ///< with the vertices of the Delaunay triangulation
-  /// The objective's value: of the Delaunay triangulation, and of the mesh.
+/// What the objective counts, before and after.
+struct Value {
   double delaunay = 0;
   double result = 0;
-  /// Proven: no triangulation of the order does better.
+  /// Proven: no triangulation of order k does better.
   double bound = 0;
-  /// The mesh is proven best.
+  /// The result is proven best.
   bool optimal = false;
+};
+
+struct Optimum {
+  TriangleMesh mesh;  ///< with the vertices of the Delaunay triangulation
+  Value value;
 };
 
 /// Optimises a Delaunay triangulation. `z` has a height for each vertex, or none at all. Throws
