@@ -177,9 +177,9 @@ Part part_of(const ChoiceProblem& whole, std::vector<Index> targets, const Edges
     part.problem.orders.push_back(whole.orders[part.edges[e]]);
     for (const Index r : rivals(part.edges[e])) excluded.emplace_back(e, number(r));
   }
-  part.problem.edges_of = Lists(part.targets.size(), std::move(edges));
-  part.problem.targets_of = Lists(part.edges.size(), std::move(served));
-  part.problem.rivals = Lists(part.edges.size(), std::move(excluded));
+  part.problem.edges_of = Lists(part.targets.size(), edges);
+  part.problem.targets_of = Lists(part.edges.size(), served);
+  part.problem.rivals = Lists(part.edges.size(), excluded);
   return part;
 }
 
@@ -250,7 +250,7 @@ BinaryRows rows_of(const ChoiceProblem& problem) {
     rows.low.push_back(-BinaryProgram::kInfinite);
     rows.high.push_back(1);
   }
-  const Lists by_column(edges + targets, std::move(entries));
+  const Lists by_column(edges + targets, entries);
   for (Index column = 0; column < by_column.size(); ++column) {
     for (const Index row : by_column[column]) rows.row.push_back(int(row));
     rows.first.push_back(rows.row.size());

@@ -22,7 +22,7 @@ class Owners {
         ends.emplace_back(v, e);
         ++unowned_[v];
       }
-    edges_at_ = Lists(vertices, std::move(ends));
+    edges_at_ = Lists(vertices, ends);
   }
 
   /// Ends without another edge own theirs, and what is left goes around in rings.

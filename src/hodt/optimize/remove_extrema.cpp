@@ -43,8 +43,8 @@ class Remover {
   ExtremaSolution run();
 
  private:
-  void tell(std::string_view phase, double fraction) const {
-    if (problem_.progress) problem_.progress(phase, fraction);
+  void tell(std::string_view phase) const {
+    if (problem_.progress) problem_.progress(phase, -1);
   }
   void find_extrema();
   bool add_extrema();
@@ -80,9 +80,9 @@ ExtremaSolution Remover::run() {
   find_extrema();
   add_extrema();
   const std::size_t before = targets_.size();
-  tell("useful edges", -1);
+  tell("useful edges");
   targets_.find_edges();
-  tell("independent hulls", -1);
+  tell("independent hulls");
   greedy();
   if (problem_.method != Method::greedy && extrema() > bound()) choose();
   const std::size_t after = extrema(), proven = bound();
@@ -207,7 +207,7 @@ void Remover::choose() {
   bool has_news = true;
   std::size_t crossings = 0;
   for (int round = 0; has_news && (exact || (round < kRounds && crossings < kCrossings)); ++round) {
-    tell("choice of edges", -1);
+    tell("choice of edges");
     const RemovingEdges best =
         choose_removing_edges(graph_, targets_, problem_.deadline, exact ? kExactWork : kWork);
     without_choice_ = std::max(without_choice_, best.bound);

@@ -60,7 +60,7 @@ Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges) {
       });
   const Lists triangles(edges.size(), passed);
   for (auto& [edge, triangle] : passed) std::swap(edge, triangle);
-  const Lists through(graph.mesh.triangle_count(), std::move(passed));
+  const Lists through(graph.mesh.triangle_count(), passed);
 
   // Long edges meet in many triangles; each pair is asked about once.
   PerThread<Buffer<Index>> asked([&] { return Buffer<Index>(edges.size(), kNone); });

@@ -1,7 +1,10 @@
 #include "hodt/order/first_order.h"
 
+#include <algorithm>
 #include <array>
-#include <cstdint>
+#include <cfloat>
+#include <cmath>
+#include <span>
 
 #include "hodt/base/clones.h"
 #include "hodt/base/parallel.h"
@@ -36,13 +39,13 @@ bool holds_only_origin(const DelaunayGraph& graph, const Circle& circle, HalfEdg
 ///            beyond_us      beyond_yu
 enum Corner { kS, kY, kV, kU, kBeyondSV, kBeyondVY, kBeyondYU, kBeyondUS, kCorners };
 
-/// Edges side by side. Three of four are not flippable, for one of six reasons; asked one after the
+/// Edges side by side. Five of six are not flippable, for one of six reasons; asked one after the
 /// other, a processor cannot foretell which it will be. So all six are asked about all edges, as
 /// far as rounded arithmetic tells.
 class Batch {
  public:
-  static constexpr std::size_t kSize =
-      248;  // no power of two: the columns would share cache lines' places
+  /// No power of two: the columns would compete for the same places of the cache.
+  static constexpr std::size_t kSize = 248;
   enum Verdict { kNo, kPerhaps, kNearestOutside };
 
   /// Requires edges with triangles on both sides, kSize at most.
