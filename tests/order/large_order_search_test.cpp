@@ -57,7 +57,8 @@ TEST_P(LargeOrderFamilies, equal_lemma_4) {
 INSTANTIATE_TEST_SUITE_P(All, LargeOrderFamilies, testing::ValuesIn(families::all()),
                          [](const auto& each) { return each.param.name; });
 
-/// The two ways to all useful edges share nothing but the predicates.
+/// The two ways to all useful edges share nothing but the predicates. Together, one goes on where
+/// the other meets a crowd.
 TEST(LargeOrderSearch, equals_the_search_for_small_orders) {
   const auto circle = [](int n) {
     support::Points points;
@@ -81,12 +82,14 @@ TEST(LargeOrderSearch, equals_the_search_for_small_orders) {
     graph.list_neighbours();
     const PointTree tree(graph.xy);
     LargeOrderSearch large(graph, tree);
-    UsefulEdgeSearch small(graph);
+    UsefulEdgeSearch small(graph), both(graph, tree);
     for (const Index limit : {3u, 20u, 100u, 600u, 2998u}) {
       for (Index u = limit % 97; u < graph.xy.size(); u += 311) {
-        Orders expected;
-        for (const UsefulEdge& e : small.from(VertexId(u), limit, [](VertexId) { return true; }))
-          expected[e.to] = e.order;
+        const auto all = [](VertexId) { return true; };
+        Orders expected, together;
+        for (const UsefulEdge& e : small.from(VertexId(u), limit, all)) expected[e.to] = e.order;
+        for (const UsefulEdge& e : both.from(VertexId(u), limit, all)) together[e.to] = e.order;
+        ASSERT_EQ(together, expected) << u << " limit " << limit;
         ASSERT_EQ(orders_from(large, VertexId(u), limit), expected) << u << " limit " << limit;
       }
     }

@@ -4,12 +4,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "../support/convert.h"
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 
+#include "hodt/base/lanes.h"
 #include "hodt/geometry/predicates.h"
 
 namespace hodt {
@@ -194,6 +196,29 @@ TEST(UsefulEdges, are_the_same_from_both_ends) {
         ASSERT_TRUE(back != table[v].end()) << u << ' ' << v;
         ASSERT_EQ(back->second, order);
       }
+  }
+}
+
+/// The same on processors with fewer lanes.
+TEST(UsefulEdges, the_same_in_any_number_of_lanes) {
+  for (const support::Points& points :
+       {support::uniform(3000, 5), support::lattice(40, 50), support::clustered(2000, 6)}) {
+    const Delaunay d = delaunay({points, {}});
+    const DelaunayGraph graph(d);
+    const auto all_edges = [&] {
+      std::vector<std::tuple<Index, VertexId, Index>> edges;
+      UsefulEdgeSearch search(graph);
+      for (Index u = 0; u < graph.xy.size(); ++u)
+        for (const UsefulEdge& e : search.from(VertexId(u), 6, kAll))
+          edges.emplace_back(u, e.to, e.order);
+      return edges;
+    };
+    const auto edges = all_edges();
+    EXPECT_GT(edges.size(), 2 * points.size());
+    for (const Index lanes : {4u, 8u}) {
+      const LaneLimit limit(lanes);
+      EXPECT_EQ(all_edges(), edges) << lanes;
+    }
   }
 }
 

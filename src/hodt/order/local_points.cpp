@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hodt/base/clones.h"
+#include "hodt/base/lanes.h"
 
 namespace hodt {
 
@@ -84,25 +85,63 @@ HODT_CLONES FirstKeys first_keys(const float* x, const float* y, const float* r,
   return {best, worst};
 }
 
-struct BeyondCounts {
-  Index right, left;
-};
+// ---- Single precision: how many points are beyond, at the least? ----
+//
+// Points on the left enter the circles at their t, those on the right leave them. The true t of
+// the first on the left is at most the smallest (t + error) of any on the left. So points on the
+// right with a larger (t - error) are inside its circle, and likewise with the sides exchanged. Any
+// part of the points gives a bound.
 
-/// How many points on the right are surely inside circle t1, and on the left inside circle t2.
-HODT_CLONES BeyondCounts count_beyond(const float* x, const float* y, const float* r, Index size,
-                                      float qx, float qy, float rq, float t1, float t2) {
-  const float slack1 = kSlack * (1 + std::fabs(t1)), slack2 = kSlack * (1 + std::fabs(t2));
-  Index in_right = 0, in_left = 0;
-  for (Index i = 0; i < size; ++i) {
-    const float scale = rq + r[i];
-    const float c = qx * y[i] - qy * x[i];
-    const float n = r[i] - (qx * x[i] + qy * y[i]);
-    const bool right = c + kSlack * scale<0, left = c - kSlack * scale> 0;
-    in_right += right & (n - t1 * c + slack1 * scale < 0) ? 1 : 0;
-    in_left += left & (n - t2 * c + slack2 * scale < 0) ? 1 : 0;
+/// `enter` and `leave` are scratch, as large as the others.
+template <Index N>
+HODT_INLINE Index count_beyond(const float* x, const float* y, const float* r, Index size, float qx,
+                               float qy, float rq, float* enter, float* leave) {
+  using Floats = typename Lanes<N>::Floats;
+  using Bits = typename Lanes<N>::Bits;
+  const Floats never = Floats{} + std::numeric_limits<float>::infinity();
+  Floats first = never, last = -never;
+  for (Index i = 0; i < size; i += N) {
+    Floats px, py, pr;
+    load(px, x + i);
+    load(py, y + i);
+    load(pr, r + i);
+    const Floats slack = kSlack * (rq + pr);
+    const Floats c = qx * py - qy * px;
+    const Floats n = pr - (qx * px + qy * py);
+    const Floats inverse = 1 / c, t = n * inverse;
+    const Floats scale = (1 + (t < 0 ? -t : t)) * inverse;
+    const Floats error = 2 * slack * (scale < 0 ? -scale : scale);
+    const Floats enters = c > slack ? t + error : never;
+    const Floats leaves = -c > slack ? t - error : -never;
+    first = enters < first ? enters : first;
+    last = leaves > last ? leaves : last;
+    store(enter + i, enters);
+    store(leave + i, leaves);
   }
-  return {in_right, in_left};
+  float firsts[N], lasts[N];
+  store(&firsts[0], first);
+  store(&lasts[0], last);
+  const float first_enter =
+      fold<N>(&firsts[0], [](const auto& a, const auto& b, auto& c) { c = a < b ? a : b; });
+  const float last_leave =
+      fold<N>(&lasts[0], [](const auto& a, const auto& b, auto& c) { c = a > b ? a : b; });
+  // Those on the left, and 2^16 times those on the right. (More than 2^16 on the left are more than
+  // any limit that the right can exceed.)
+  Bits counts = {};
+  for (Index i = 0; i < size; i += N) {
+    Floats enters, leaves;
+    load(enters, enter + i);
+    load(leaves, leave + i);
+    counts -= enters < last_leave;
+    counts -= (leaves > first_enter) << 16;
+  }
+  std::int32_t parts[N];
+  store(&parts[0], counts);
+  const auto count = static_cast<std::uint32_t>(
+      fold<N>(&parts[0], [](const auto& a, const auto& b, auto& c) { c = a + b; }));
+  return std::max(count & 0xFFFF, count >> 16);
 }
+HODT_FOR_LANES(count_beyond)
 
 // ---- Double precision: inside, outside or in doubt. ----
 
@@ -138,12 +177,39 @@ HODT_CLONES LocalPoints::Split split_word(const double* x, const double* y, cons
   return {inside, possible & ~inside, beyond};
 }
 
+/// The arrays of LocalPoints.
+struct Arrays {
+  const double *x, *y;
+  double* r;
+  float *xf, *yf, *rf, *image_x, *image_y;
+};
+
+/// Returns the largest r.
+HODT_CLONES double derive(const Arrays& arrays, Index first, Index last) {
+  const Arrays a = arrays;
+  double largest = 0;
+  for (Index i = first; i < last; ++i) {
+    const double x = a.x[i], y = a.y[i], r = x * x + y * y;
+    a.r[i] = r;
+    largest = largest > r ? largest : r;
+    const auto xf = static_cast<float>(x), yf = static_cast<float>(y);
+    const float rf = xf * xf + yf * yf, inverse = 1 / rf;
+    a.xf[i] = xf;
+    a.yf[i] = yf;
+    a.rf[i] = rf;
+    a.image_x[i] = xf * inverse;
+    a.image_y[i] = yf * inverse;
+  }
+  return largest;
+}
+
 }  // namespace
 
-void LocalPoints::clear(double extent) {
+void LocalPoints::clear(double nearest) {
   size_ = 0;
   usable_ = true;
-  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(extent), -1000, 1000));
+  // Even the smallest of all numbers is brought to 2^-54, whose inverse square is no trouble.
+  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(nearest), -1020, 1000));
 }
 
 void LocalPoints::extend(Index size) {
@@ -152,22 +218,30 @@ void LocalPoints::extend(Index size) {
   size_ = size;
   if (begin == end) return;
   const auto clear_from_begin = [&](auto& array) {
-    if (array.size() < end) array.resize(2 * end);
+    if (array.size() < end + kBlock) array.resize(2 * end);
     std::fill(array.begin() + std::ptrdiff_t(begin), array.begin() + std::ptrdiff_t(end), 0);
   };
   for (auto* array : {&x_, &y_, &r_}) clear_from_begin(*array);
-  for (auto* array : {&xf_, &yf_, &rf_}) clear_from_begin(*array);
+  for (auto* array : {&xf_, &yf_, &rf_, &image_x_, &image_y_}) clear_from_begin(*array);
+  enter_.resize(xf_.size());
+  leave_.resize(xf_.size());
 }
 
-/// In single precision it stays at u, which is never inside.
-void LocalPoints::set_double(Index i, double x, double y) {
-  if (!(std::max(std::fabs(x), std::fabs(y)) < kMaxDouble)) {
-    usable_ = false;
+void LocalPoints::finish(Index first) {
+  const double largest = derive({x_.data(), y_.data(), r_.data(), xf_.data(), yf_.data(),
+                                 rf_.data(), image_x_.data(), image_y_.data()},
+                                first, size_);
+  if (largest < kMaxSingle * kMaxSingle) [[likely]]
     return;
+  for (Index i = first; i < size_; ++i) {
+    if (!(r_[i] < kMaxSingle * kMaxSingle)) hide(i);
+    if (!(r_[i] < kMaxDouble * kMaxDouble)) usable_ = false;
   }
-  x_[i] = x;
-  y_[i] = y;
-  r_[i] = x * x + y * y;
+}
+
+/// In single precision it is at u then, which is never inside.
+void LocalPoints::hide(Index i) {
+  for (auto* array : {&xf_, &yf_, &rf_, &image_x_, &image_y_}) (*array)[i] = 0;
 }
 
 Index LocalPoints::surely_inside(Index q, Index enough) const {
@@ -188,26 +262,28 @@ Index LocalPoints::surely_inside(Index q, Index enough) const {
   }
 }
 
-LocalPoints::Firsts LocalPoints::guess_firsts(Index q) const {
+bool LocalPoints::surely_beyond(Index q, Index limit) const {
   const float qx = xf_[q], qy = yf_[q], rq = rf_[q] + kTiny;
+  const auto more_among = [&](Index size) {
+    return count_beyond_in_lanes(xf_.data(), yf_.data(), rf_.data(), size, qx, qy, rq,
+                                 enter_.data(), leave_.data()) > limit;
+  };
+  // Mostly a few points around u are enough.
+  constexpr Index kFew = 32;
+  const Index size = (size_ + 15) / 16 * 16;
+  return (size > kFew && more_among(kFew)) || more_among(size);
+}
+
+LocalPoints::Firsts LocalPoints::guess_firsts(Index q) const {
+  const float qx = xf_[q], qy = yf_[q];
   const Index size = (size_ + 15) / 16 * 16;
   const auto index_bits = static_cast<std::int32_t>(std::bit_ceil(size) - 1);
   constexpr FirstKeys none;
   const FirstKeys keys = first_keys(xf_.data(), yf_.data(), rf_.data(), size, index_bits, qx, qy);
-  if (keys.left == none.left || keys.right == none.right) return {kNone, kNone, 0};
+  if (keys.left == none.left || keys.right == none.right) return {kNone, kNone};
   const auto left = static_cast<Index>(keys.left & index_bits);
   const auto right = static_cast<Index>(keys.right & index_bits);
-
-  // If a guess is wrong, the first point comes earlier, and its circle holds on the other side all
-  // that this one does. So does the circle of t, moved outward by its rounding.
-  const auto t_of = [&](Index s, float outward) {
-    const float c = qx * yf_[s] - qy * xf_[s];
-    const float t = (rf_[s] - (qx * xf_[s] + qy * yf_[s])) / c;
-    return t + outward * (2 * kSlack * (rq + rf_[s]) * (1 + std::fabs(t)) / std::fabs(c));
-  };
-  const BeyondCounts counts = count_beyond(xf_.data(), yf_.data(), rf_.data(), size, qx, qy, rq,
-                                           t_of(left, 1), t_of(right, -1));
-  return {left, right, std::max(counts.right, counts.left)};
+  return {left, right};
 }
 
 void LocalPoints::split(Index b, Index c, Beyond beyond, std::vector<Split>& splits) const {

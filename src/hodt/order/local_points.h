@@ -16,29 +16,25 @@ namespace hodt {
 
 class LocalPoints {
  public:
-  /// No points; those to come are of the size of `extent` (the length that questions are about).
-  void clear(double extent);
-  /// Makes room for so many; those added are at u until they are set.
+  /// No points; the nearest of those to come is at a distance of about `nearest`.
+  void clear(double nearest);
+  /// Makes room for so many. Those added are to be set, and then finished.
   void extend(Index size);
   /// Point i is at u + offset.
   void set(Index i, const Point& offset) {
-    const double x = scale_ * offset.x, y = scale_ * offset.y;
-    const double largest = std::max(std::fabs(x), std::fabs(y));
-    if (!(largest < kMaxSingle)) [[unlikely]]
-      return set_double(i, x, y);
-    x_[i] = x;
-    y_[i] = y;
-    r_[i] = x * x + y * y;
-    const auto xf = static_cast<float>(x), yf = static_cast<float>(y);
-    xf_[i] = xf;
-    yf_[i] = yf;
-    rf_[i] = xf * xf + yf * yf;
+    x_[i] = scale_ * offset.x;
+    y_[i] = scale_ * offset.y;
   }
-  /// The same, but surely_inside() does not count it, and guess_firsts() does not see it.
-  void set_uncounted(Index i, const Point& offset) {
-    set_double(i, scale_ * offset.x, scale_ * offset.y);
-  }
+  /// Computes what questions need of the points from place `first` on.
+  void finish(Index first);
+  /// From here on nobody counts point i, and guess_firsts() does not see it.
+  void hide(Index i);
   Index size() const { return size_; }
+  /// Arrays parallel to these had better have room for so many: 15 more than there are points.
+  std::size_t capacity() const { return x_.size(); }
+  /// The images p / |p|² of the points (a point hidden or very far away is at 0).
+  const float* image_x() const { return image_x_.data(); }
+  const float* image_y() const { return image_y_.data(); }
 
   /// Whether nothing overflows. If not, split() must not be asked.
   bool usable() const { return usable_; }
@@ -46,11 +42,14 @@ class LocalPoints {
   /// A number of points that are inside every circle through u and q; counting ends at `enough`.
   Index surely_inside(Index q, Index enough) const;
 
-  /// The points s on either side of u -> q whose circle with u and q holds no other point of that
-  /// side: a guess, good but for rounding. kNone (both) if a side seems to be empty.
+  /// Whether surely more than `limit` points are on one side of u -> q and inside the circle
+  /// through u, q and the first point on the other side: the one whose circle holds no other of
+  /// its side.
+  bool surely_beyond(Index q, Index limit) const;
+
+  /// A guess at those first points, good but for rounding. kNone (both) if a side seems empty.
   struct Firsts {
     Index left, right;
-    Index beyond;  ///< proven: one of the two circles holds so many points or more
   };
   Firsts guess_firsts(Index q) const;
 
@@ -68,14 +67,14 @@ class LocalPoints {
   /// Squares and products of what is below do not overflow.
   static constexpr double kMaxSingle = 0x1p+55, kMaxDouble = 0x1p+200;
 
-  void set_double(Index i, double x, double y);
-
   Index size_ = 0;
   double scale_ = 1;  // a power of two that brings coordinates close to 1
   bool usable_ = true;
   // Arrays filled with zeros, that is u, up to a multiple of kBlock.
   std::vector<double> x_, y_, r_;    // r = x² + y²
   std::vector<float> xf_, yf_, rf_;  // the same rounded
+  std::vector<float> image_x_, image_y_;
+  mutable std::vector<float> enter_, leave_;  // scratch of surely_beyond()
 };
 
 }  // namespace hodt

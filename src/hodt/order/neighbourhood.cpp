@@ -13,6 +13,57 @@ Neighbourhood::Neighbourhood(const DelaunayGraph& graph)
 Neighbourhood::~Neighbourhood() = default;
 
 bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
+  begin_at(u, k);
+  reach([&](const auto& f) { graph_.for_each_neighbour(u, f); });
+  degree_ = size_;
+  const auto go_on_from = [&](VertexId v) {
+    reach([&](const auto& f) { graph_.for_each_onward(v, u, f); });
+  };
+  if (graph_.has_hubs()) go_on_from(u);  // around them, to more than the neighbours
+  for (Index i = 0; i < degree_; ++i) go_on_from(vertices_[i]);
+  take_up_reached();
+
+  // An edge of order j > 0 is found among the neighbours of the other end of one of order j - 1 or
+  // less. A bound that rises as more is known only lets more vertices in.
+  std::fill_n(least_order_.begin(), degree_, 0);
+  for (Index next = degree_; next < size_;) {
+    const Index end = size_;
+    if (!bound_orders(next, end, k, effort)) return false;
+    for (; next < end; ++next)
+      if (least_order_[next] < k) go_on_from(vertices_[next]);
+    take_up_reached();
+  }
+  return true;
+}
+
+/// Of the vertices of places `first` to `last` - 1. False if the effort did not suffice.
+bool Neighbourhood::bound_orders(Index first, Index last, Index k, std::size_t& effort) {
+  levels_.bound(points_.image_x(), points_.image_y(), first, last, least_order_.data());
+  if (graph_.has_hubs())
+    for (Index i = first; i < last; ++i)
+      if (graph_.is_hub(vertices_[i])) least_order_[i] = 0;
+  // Where many points are close to one circle, or u is on the hull, directions hardly differ, and
+  // levels tell little. That shows in the size.
+  if (size_ <= 40 + 16 * std::size_t{k}) return true;
+  // Exact arithmetic takes the time of so many questions, and asks about so many points.
+  constexpr std::size_t kExactCost = 100;
+  const std::size_t sample = 8 + 3 * std::size_t{k};
+  for (Index i = first; i < last; ++i) {
+    Index& least = least_order_[i];
+    if (least > k) continue;
+    least = std::max(least, points_.surely_inside(i, k + 1));
+    std::size_t cost = size_;
+    if (least < k) {
+      least = std::max(least, pencil_->least_order(i, sample));
+      cost += kExactCost * sample;
+    }
+    if (effort < cost) return false;
+    effort -= cost;
+  }
+  return true;
+}
+
+void Neighbourhood::begin_at(VertexId u, Index k) {
   centre_ = u;
   size_ = 0;
   if (++round_ == 0) {
@@ -20,56 +71,18 @@ bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
     round_ = 1;
   }
   seen_[u] = round_;
-  double extent = 0;
+  double nearest = std::numeric_limits<double>::infinity();
   graph_.for_each_neighbour(u, [&](VertexId v) {
-    const Point offset{graph_.point(v).x - graph_.point(u).x,
-                       graph_.point(v).y - graph_.point(u).y};
-    extent = std::max({extent, std::fabs(offset.x), std::fabs(offset.y)});
+    nearest = std::min(nearest, std::max(std::fabs(graph_.point(v).x - graph_.point(u).x),
+                                         std::fabs(graph_.point(v).y - graph_.point(u).y)));
   });
-  points_.clear(extent);
-  take_up([&](const auto& f) { graph_.for_each_neighbour(u, f); });
-  degree_ = size_;
-  const auto go_on_from = [&](VertexId v) {
-    take_up([&](const auto& f) { graph_.for_each_onward(v, u, f); });
-  };
-  if (graph_.has_hubs()) go_on_from(u);  // around them, to more than the neighbours
-
-  // An edge of order j > 0 is found among the neighbours of the other end of one of order j - 1 or
-  // less. A bound that rises as more is known only lets more vertices in. Nearly all neighbours of
-  // neighbours have small orders: they are not worth a question if k is not small too.
-  for (Index i = 0; i < degree_; ++i) go_on_from(vertices_[i]);
-  // Where many points are close to one circle, rounding leaves them all in doubt, and no bound is
-  // found. That shows in the size, and exact arithmetic helps.
-  const std::size_t crowd = 40 + 16 * std::size_t{k}, sample = 8 + 3 * std::size_t{k};
-  constexpr std::size_t kExactCost = 100;
-  const Index unasked = k >= 4 && size_ <= crowd ? size_ : degree_;
-  least_order_.assign(unasked, 0);
-  for (Index i = degree_; i < size_; ++i) {
-    if (i >= unasked) {
-      Index least = points_.surely_inside(i, k + 1);
-      std::size_t cost = size_;
-      if (least < k && size_ > crowd) {
-        least = std::max(least, pencil_->least_order(i, sample));
-        cost += kExactCost * sample;
-      }
-      least_order_.push_back(least);
-      if (effort < cost) return false;
-      effort -= cost;
-    }
-    if (least_order_[i] < k) go_on_from(vertices_[i]);
-  }
-  return true;
-}
-
-Index Neighbourhood::find(VertexId v) const {
-  for (Index i = 0; i < size_; ++i)
-    if (vertices_[i] == v) return i;
-  return kNone;
+  points_.clear(nearest);
+  levels_.clear(k);
 }
 
 /// Adds those that search(f) calls f with and that are new.
 template <class Search>
-void Neighbourhood::take_up(const Search& search) {
+void Neighbourhood::reach(const Search& search) {
   // Local copies stay in registers. No branch on whether w is new, which is a matter of chance.
   const std::uint32_t round = round_;
   std::uint32_t* const seen = seen_.data();
@@ -85,17 +98,29 @@ void Neighbourhood::take_up(const Search& search) {
     size += seen[w] != round;
     seen[w] = round;
   });
-  points_.extend(static_cast<Index>(size));
-  const Point origin = graph_.point(centre_);
-  for (auto i = size_; i < size; ++i) {
-    const Point& p = graph_.point(vertices[i]);
-    const Point offset{p.x - origin.x, p.y - origin.y};
-    if (graph_.is_hub(vertices[i])) [[unlikely]]
-      points_.set_uncounted(i, offset);
-    else
-      points_.set(i, offset);
-  }
   size_ = static_cast<Index>(size);
+}
+
+void Neighbourhood::take_up_reached() {
+  const Index first = points_.size();
+  points_.extend(size_);
+  const Point origin = graph_.point(centre_);
+  for (Index i = first; i < size_; ++i) {
+    const Point& p = graph_.point(vertices_[i]);
+    points_.set(i, {p.x - origin.x, p.y - origin.y});
+  }
+  points_.finish(first);
+  if (graph_.has_hubs())
+    for (Index i = first; i < size_; ++i)
+      if (graph_.is_hub(vertices_[i])) points_.hide(i);
+  levels_.add(points_.image_x(), points_.image_y(), first, size_);
+  if (least_order_.size() < points_.capacity()) least_order_.resize(points_.capacity());
+}
+
+Index Neighbourhood::find(VertexId v) const {
+  for (Index i = 0; i < size_; ++i)
+    if (vertices_[i] == v) return i;
+  return kNone;
 }
 
 }  // namespace hodt

@@ -9,6 +9,7 @@
 
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/local_points.h"
+#include "hodt/order/sector_levels.h"
 
 namespace hodt {
 
@@ -50,15 +51,19 @@ class Neighbourhood {
   Pencil& pencil() { return *pencil_; }
 
  private:
+  void begin_at(VertexId u, Index k);
   template <class Search>
-  void take_up(const Search& search);
+  void reach(const Search& search);
+  void take_up_reached();
+  bool bound_orders(Index first, Index last, Index k, std::size_t& effort);
 
   const DelaunayGraph& graph_;
   VertexId centre_;
   Index size_ = 0, degree_ = 0;
   std::vector<VertexId> vertices_;
+  LocalPoints points_;  // those reached last are still missing
+  SectorLevels levels_;
   std::vector<Index> least_order_;
-  LocalPoints points_;
   std::unique_ptr<Pencil> pencil_;
   Buffer<std::uint32_t> seen_;  // the round in which a vertex was last taken up
   std::uint32_t round_ = 0;

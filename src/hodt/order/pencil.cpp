@@ -44,9 +44,9 @@ bool Pencil::is_inside(Index i, Index first, Side side, Index p) const {
 /// it is not, neither is what comes out (docs/design/useful-edges.md).
 Index Pencil::useful_order(Index i, Index limit) {
   if (!around_.points().usable()) return useful_order_exactly(i, limit);
+  if (around_.points().surely_beyond(i, limit)) return limit + 1;
   const LocalPoints::Firsts firsts = around_.points().guess_firsts(i);
   if (firsts.left == kNone) return useful_order_exactly(i, limit);
-  if (firsts.beyond > limit) return limit + 1;
   Index order = 0;
   for (const Side side : {Side::left, Side::right}) {
     const Index count =

@@ -27,12 +27,14 @@ struct UsefulEdge {
 class UsefulEdgeSearch {
  public:
   explicit UsefulEdgeSearch(const DelaunayGraph& graph) : graph_(graph), around_(graph) {}
-  /// Questions about orders of kLarge and more go to a search made for them.
+  /// Questions about large orders go to a search made for them.
   UsefulEdgeSearch(const DelaunayGraph& graph, const PointTree& tree)
       : graph_(graph), around_(graph), large_(std::in_place, graph, tree) {}
 
   /// From here on the search for large orders is faster.
   static constexpr Index kLarge = 256;
+  /// And from here on where very many points are near one circle.
+  static constexpr Index kLargeInCrowd = 16;
 
   /// Lets a search give up, and find nothing, after so many questions (one point against another).
   /// complete() then tells. For orders in the hundreds, without a tree.
@@ -55,9 +57,7 @@ class UsefulEdgeSearch {
     if (limit == 1)
       across_one_edge(u, wanted);
     else if (limit >= kLarge && large_)
-      large_->from(u, limit, wanted, [&](VertexId v, Index order) {
-        found_.push_back({v, order});
-      });
+      by_large_search(u, limit, wanted);
     else if (limit > 1)
       beyond_one_edge(u, limit, wanted);
     std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
@@ -82,16 +82,36 @@ class UsefulEdgeSearch {
   void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted) {
     // A hub has too many around it to compare them all with each other.
     if (graph_.is_hub(u)) return from_others(u, limit, wanted);
-    complete_ = around_.gather(u, limit, effort_);
-    if (complete_) among_gathered(limit, wanted);
+    const bool has_large = large_ && limit >= kLargeInCrowd;
+    complete_ =
+        around_.gather(u, limit, has_large ? std::min(effort_, crowd_effort(limit)) : effort_);
+    if (complete_)
+      among_gathered(limit, wanted);
+    else if (has_large && effort_ > crowd_effort(limit))
+      by_large_search(u, limit, wanted);
+  }
+
+  /// About as many questions as the search for large orders takes time for.
+  static std::size_t crowd_effort(Index limit) { return 250'000 + 2'500 * std::size_t{limit}; }
+
+  template <class Wanted>
+  void by_large_search(VertexId u, Index limit, const Wanted& wanted) {
+    large_->from(u, limit, wanted, [&](VertexId v, Index order) { found_.push_back({v, order}); });
+    complete_ = true;
   }
 
   template <class Wanted>
   void among_gathered(Index limit, const Wanted& wanted) {
+    // No branch on what is a matter of chance.
+    candidates_.resize(around_.size());
+    std::size_t count = 0;
     for (Index i = around_.degree(); i < around_.size(); ++i) {
-      const VertexId v = around_.vertex(i);
-      if (around_.least_order(i) <= limit && wanted(v)) add_if_useful(i, v, limit);
+      candidates_[count] = i;
+      count +=
+          static_cast<std::size_t>(around_.least_order(i) <= limit && wanted(around_.vertex(i)));
     }
+    for (std::size_t c = 0; c < count; ++c)
+      add_if_useful(candidates_[c], around_.vertex(candidates_[c]), limit);
   }
 
   /// Each of the others finds the edge to the hub u among its own.
@@ -133,6 +153,7 @@ class UsefulEdgeSearch {
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();
   bool complete_ = true;
   std::vector<UsefulEdge> found_;
+  std::vector<Index> candidates_;
   std::vector<VertexId> visit_;  // to be visited from a hub, and visited
   std::vector<bool> is_visited_;
 };

@@ -1,0 +1,100 @@
+// Single precision values side by side, as many as the processor takes at once: for loops that the
+// compiler does not turn into that by itself (see clones.h for those that it does).
+//
+// A kernel is a function template over the number of lanes, written with plain operators and
+// HODT_INLINE. HODT_FOR_LANES(kernel) makes kernel_in_lanes(...) of it, which runs what fits.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "hodt/base/ids.h"
+
+#define HODT_INLINE inline __attribute__((always_inline))
+
+namespace hodt {
+
+template <Index N>
+struct Lanes {
+  using Floats [[gnu::vector_size(N * sizeof(float))]] = float;
+  /// What a comparison gives: -1 where it holds, 0 elsewhere.
+  using Bits [[gnu::vector_size(N * sizeof(float))]] = std::int32_t;
+};
+
+// Vectors go by reference: how they are handed over by value depends on the instruction set.
+
+template <class Vector, class Value>
+HODT_INLINE void load(Vector& lanes, const Value* from) {
+  std::memcpy(&lanes, from, sizeof(lanes));
+}
+
+template <class Vector, class Value>
+HODT_INLINE void store(Value* to, const Vector& lanes) {
+  std::memcpy(to, &lanes, sizeof(lanes));
+}
+
+/// Folds N values into one. operation(a, b, result) takes vectors, too, and must not care about the
+/// order.
+template <Index N, class Value, class Operation>
+HODT_INLINE Value fold(const Value* values, const Operation& operation) {
+  if constexpr (N == 1) {
+    return *values;
+  } else {
+    using Half [[gnu::vector_size(N / 2 * sizeof(Value))]] = Value;
+    Half low, high, both;
+    load(low, values);
+    load(high, values + N / 2);
+    operation(low, high, both);
+    Value rest[N / 2];
+    store(&rest[0], both);
+    return fold<N / 2>(&rest[0], operation);
+  }
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define HODT_FOR_LANES(kernel)                                                     \
+  template <class... Arguments>                                                    \
+  __attribute__((target("avx512f"))) auto kernel##_in_16(Arguments... arguments) { \
+    return kernel<16>(arguments...);                                               \
+  }                                                                                \
+  template <class... Arguments>                                                    \
+  __attribute__((target("avx2"))) auto kernel##_in_8(Arguments... arguments) {     \
+    return kernel<8>(arguments...);                                                \
+  }                                                                                \
+  template <class... Arguments>                                                    \
+  auto kernel##_in_lanes(Arguments... arguments) {                                 \
+    return lanes_in_use == 16  ? kernel##_in_16(arguments...)                      \
+           : lanes_in_use == 8 ? kernel##_in_8(arguments...)                       \
+                               : kernel<4>(arguments...);                          \
+  }
+
+/// As many as the processor has: 16, 8 or 4.
+inline Index native_lanes() {
+  if (__builtin_cpu_supports("avx512f")) return 16;
+  return __builtin_cpu_supports("avx2") ? 8 : 4;
+}
+#else
+#define HODT_FOR_LANES(kernel)                     \
+  template <class... Arguments>                    \
+  auto kernel##_in_lanes(Arguments... arguments) { \
+    return kernel<4>(arguments...);                \
+  }
+
+inline Index native_lanes() {
+  return 4;
+}
+#endif
+
+inline Index lanes_in_use = native_lanes();
+
+/// As on a processor with fewer lanes (4 or 8), while it lives. For tests; nothing else may run.
+class LaneLimit {
+ public:
+  explicit LaneLimit(Index most) { lanes_in_use = std::min(most, native_lanes()); }
+  ~LaneLimit() { lanes_in_use = native_lanes(); }
+  LaneLimit(const LaneLimit&) = delete;
+  LaneLimit& operator=(const LaneLimit&) = delete;
+};
+
+}  // namespace hodt
