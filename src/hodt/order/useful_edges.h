@@ -32,7 +32,7 @@ class UsefulEdgeSearch {
       : graph_(graph), around_(graph), large_(std::in_place, graph, tree) {}
 
   /// From here on the search for large orders is faster.
-  static constexpr Index kLarge = 256;
+  static constexpr Index kLarge = 320;
   /// And from here on where very many points are near one circle.
   static constexpr Index kLargeInCrowd = 16;
 
