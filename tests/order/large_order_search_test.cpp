@@ -74,9 +74,18 @@ TEST(LargeOrderSearch, equals_the_search_for_small_orders) {
     points.push_back({0, 0});
     return points;
   };
+  // Seen from one of them, the images of the others are close together and close to it.
+  const auto far_clouds = [](int n) {
+    support::Points points;
+    for (const Point& p : support::uniform(std::size_t(n), 10)) {
+      const double size = std::pow(0.001, double(points.size() % 4));
+      points.push_back({double(points.size() % 4) + size * p.x, size * p.y});
+    }
+    return points;
+  };
   for (const support::Points& points :
        {support::uniform(3000, 1), support::lattice(50, 60), support::clustered(3000, 2),
-        support::utm_lattice(40, 40), circle(1500), star(500)}) {
+        support::utm_lattice(40, 40), circle(1500), star(500), far_clouds(1600)}) {
     const Delaunay d = delaunay({points, {}});
     DelaunayGraph graph(d);
     graph.list_neighbours();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hodt/geometry/predicates.h"
+#include "hodt/order/k_level.h"
 
 namespace hodt {
 
@@ -16,16 +17,16 @@ ImageLine::ImageLine(const Point& a, const Point& b) : normal{b.y - a.y, a.x - b
     normal = {-normal.x, -normal.y};
     distance = -distance;
   }
+  slack = KLevel::kRounding * size;
   // Closer images leave too little of the direction.
   if (!(length > 1e-6 * size)) distance = 0;
 }
 
 void AngularHulls::build(const Point& u, std::span<const Point> points,
-                         std::span<const Point> images, double slack) {
+                         std::span<const Point> images) {
   u_ = u;
   points_ = points;
   images_ = images;
-  slack_ = slack;
   chains_.clear();
   used_ = 0;
   const auto n = static_cast<Index>(points.size());
@@ -76,10 +77,12 @@ Index AngularHulls::first_met(Index v, Index first, Index last) const {
   const auto is_far = [&](const Box& box) {  // none of it is beyond the line
     const double x = line.normal.x * (line.normal.x > 0 ? box.high.x : box.low.x);
     const double y = line.normal.y * (line.normal.y > 0 ? box.high.y : box.low.y);
-    return x + y < line.distance - 2 * slack_;
+    const double size = std::max(
+        {std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y)});
+    return x + y + 2 * KLevel::kRounding * size < line.distance - line.slack;
   };
   const auto try_run = [&](const Run& run) {
-    if (best != kNone && line.is_sure(slack_) && is_far(run.box)) return;
+    if (best != kNone && line.is_sure() && is_far(run.box)) return;
     Index low = run.first, high = run.last - 1;
     while (low < high) {
       const Index mid = low + (high - low) / 2;

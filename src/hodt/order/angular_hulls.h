@@ -18,9 +18,8 @@ namespace hodt {
 class AngularHulls {
  public:
   /// The points, in counter-clockwise order of their directions from u, all different. `images` are
-  /// theirs, rounded, and off by less than `slack`; they only save tests. All must outlive it.
-  void build(const Point& u, std::span<const Point> points, std::span<const Point> images,
-             double slack);
+  /// theirs, rounded; they only save tests. All must outlive it.
+  void build(const Point& u, std::span<const Point> points, std::span<const Point> images);
 
   /// Of the points first, …, last - 1 (going on at the beginning after the last of all), the one
   /// whose circle with u and v holds no other of them. REQUIRES first < last, and that all are on
@@ -43,7 +42,6 @@ class AngularHulls {
 
   Point u_;
   std::span<const Point> points_, images_;
-  double slack_ = 0;
   std::vector<std::vector<Run>> levels_;  // level i: of runs of 2^i points
   std::size_t used_ = 0;                  // levels
   std::vector<Index> chains_;  // hulls with u, but for u; empty if they do not fit into half a turn
@@ -55,10 +53,11 @@ struct ImageLine {
 
   /// Whether the normal is known well, and leads away from the origin: closer to the origin than
   /// rounding, it might be the other way.
-  bool is_sure(double slack) const { return distance > 2 * slack; }
+  bool is_sure() const { return distance > 2 * slack; }
 
   Point normal;     // a unit vector
   double distance;  // of the origin; 0 if the images are too close to each other to tell
+  double slack;     // by how much the distance may be off
 };
 
 }  // namespace hodt

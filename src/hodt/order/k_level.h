@@ -18,34 +18,34 @@ class KLevel {
  public:
   void build(std::span<const Point> points, Index k);
 
-  /// Whether more than k points p have p·n > distance, surely and by far more than rounding.
-  /// REQUIRES that n is of length 1 up to rounding, and distance > 0.
+  /// p·n is off by less than so much of |p|, for the points p and for n of length 1, both rounded.
+  static constexpr double kRounding = 1e-9;
+
+  /// Whether more than k points p have p·n > distance, surely and by more than rounding. REQUIRES
+  /// that n is of length 1 up to rounding, and distance > 0.
   bool surely_more(const Point& n, double distance) const;
 
   /// Whether more than k points are beyond every line through p that has the origin on its other
   /// side, surely.
   bool surely_deep(const Point& p) const;
 
-  /// By how much p·n may be off, for all that is done here.
-  double slack() const { return slack_; }
-
  private:
   /// The directions between two. Points of p·from and p·to above `high` are beyond the level in all
   /// of them; points of both below `low` in none.
   struct Sector {
     Point from, to;
+    Index first, last;   // in undecided_: those that were around, and then the others
+    Index beyond = 0;    // how many are in all
+    Index children = 0;  // the first of two, if any
     double low = 0, high = 0;
-    Index beyond = 0;           // how many are in all
-    Index first = 0, last = 0;  // the others, in undecided_; of a leaf
-    Index children = 0;         // the first of two, if any
   };
-  void split(Index sector, std::size_t first, std::size_t last);
+  void bound(Sector& sector);
+  bool is_worth_splitting(const Sector& sector) const;
 
   Index k_ = 0;
-  double slack_ = 0;
+  std::size_t most_stored_ = 0;
   std::vector<Sector> sectors_;
   std::vector<Point> undecided_;
-  std::vector<Point> stack_;  // of the lists of points that sectors being split leave undecided
   std::vector<double> values_;
 };
 

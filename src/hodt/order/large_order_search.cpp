@@ -92,7 +92,7 @@ void LargeOrderSearch::build_hulls() {
     around_[kept++] = v;
   }
   around_.resize(kept);
-  hulls_.build(u, points_, images_, level_.slack());
+  hulls_.build(u, points_, images_);
 }
 
 bool LargeOrderSearch::is_same_direction(const Point& a, const Point& b) const {
@@ -104,7 +104,7 @@ bool LargeOrderSearch::is_same_direction(const Point& a, const Point& b) const {
 /// limit on the other.
 bool LargeOrderSearch::may_hold_few(Index i, Index first) const {
   const ImageLine line(images_[i], images_[first]);
-  return !line.is_sure(level_.slack()) || !level_.surely_more(line.normal, line.distance);
+  return !line.is_sure() || !level_.surely_more(line.normal, line.distance + line.slack);
 }
 
 /// Lemma 4: the larger count of the two circles through u, v and the first point on either side.
