@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <ctime>
 #include <numeric>
 #include <string>
@@ -291,6 +292,22 @@ TEST(RemoveExtremaLarge, noise) {
         ASSERT_EQ(best.result, best.bound) << k;
       }
     }
+  }
+}
+
+/// Where everything may cross everything: the limits on the search end it soon.
+TEST(RemoveExtremaLarge, any_order) {
+  const support::Points points = support::uniform(500, 18);
+  families::Random random(19);
+  std::vector<double> z;
+  for (std::size_t i = 0; i < points.size(); ++i) z.push_back(random.real());
+  const Terrain terrain(points, z);
+  for (const Objective objective : kObjectives) {
+    const auto start = std::chrono::steady_clock::now();
+    const ExtremaSolution best = solve(terrain, 500, objective);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+    EXPECT_EQ(problem(terrain, best, 500, objective), "");
+    EXPECT_LT(best.result, best.delaunay / 3);
   }
 }
 

@@ -15,6 +15,9 @@ namespace hodt {
 
 namespace {
 
+/// How many rivals are looked at to compare edges, before a kernel stays larger than it had to.
+constexpr std::size_t kMostComparing = 100'000'000;
+
 /// The problem while it shrinks to what is hard about it.
 class Kernel {
  public:
@@ -49,7 +52,7 @@ class Kernel {
   }
   bool take_free_edge(const std::vector<Index>& edges);
   void drop_worse_edges(const std::vector<Index>& edges);
-  bool is_as_good(Index e, Index f) const;
+  bool is_as_good(Index e, Index f);
   void take(Index edge);
   void drop(Index edge);
 
@@ -58,6 +61,7 @@ class Kernel {
   Buffer<Index> rivals_left_;   // of each edge
   Buffer<Index> targets_left_;  // of each edge
   std::vector<Index> queue_, taken_;
+  std::size_t comparing_left_ = kMostComparing;
 };
 
 Kernel::Kernel(const ChoiceProblem& problem)
@@ -142,8 +146,11 @@ void Kernel::drop_worse_edges(const std::vector<Index>& edges) {
 }
 
 /// Whether whoever has f could as well have e.
-bool Kernel::is_as_good(Index e, Index f) const {
+bool Kernel::is_as_good(Index e, Index f) {
   if (rivals_left_[e] > rivals_left_[f] || targets_left_[e] < targets_left_[f]) return false;
+  const std::size_t cost = problem_.rivals[e].size() + problem_.rivals[f].size();
+  if (comparing_left_ < cost) return false;
+  comparing_left_ -= cost;
   const auto includes = [](const std::vector<Index>& all, const std::vector<Index>& some) {
     return std::includes(all.begin(), all.end(), some.begin(), some.end());
   };

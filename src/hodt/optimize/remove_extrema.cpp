@@ -205,13 +205,16 @@ void Remover::choose() {
   std::size_t least = state_.size() + 1;
   const bool exact = problem_.method == Method::exact;
   bool has_news = true;
-  std::size_t crossings = 0;
+  std::size_t searched = 0, crossings = 0;  // so far, and with the round to come
   for (int round = 0; has_news && (exact || (round < kRounds && crossings < kCrossings)); ++round) {
     tell("choice of edges");
     const RemovingEdges best =
         choose_removing_edges(graph_, targets_, problem_.deadline, exact ? kExactWork : kWork);
     without_choice_ = std::max(without_choice_, best.bound);
-    crossings += best.crossings;
+    // Targets that cannot all be served are offered four times as many edges.
+    const double growth = 1 + 3 * double(best.contested.size()) / double(targets_.size());
+    searched += best.crossings;
+    crossings = searched + std::size_t(growth * growth * double(best.crossings));
     Buffer<Index> owners = edge_owners(state_.size(), best.chosen);
     hold(owners);
     if (extrema() < least) {
