@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "../support/convert.h"
@@ -197,6 +198,22 @@ TEST(UsefulEdges, are_the_same_from_both_ends) {
         ASSERT_EQ(back->second, order);
       }
   }
+}
+
+TEST(UsefulEdges, no_limit_is_too_large) {
+  const Delaunay d = delaunay({support::uniform(60, 7), {}});
+  const DelaunayGraph graph(d);
+  UsefulEdgeSearch search(graph);
+  std::size_t edges = 0;
+  for (Index u = 0; u < graph.xy.size(); ++u) {
+    std::vector<std::pair<VertexId, Index>> all, unlimited;
+    for (const UsefulEdge& e : search.from(VertexId(u), 60, kAll)) all.emplace_back(e.to, e.order);
+    for (const UsefulEdge& e : search.from(VertexId(u), kNone - 1, kAll))
+      unlimited.emplace_back(e.to, e.order);
+    EXPECT_EQ(all, unlimited);
+    edges += all.size();
+  }
+  EXPECT_GT(edges, 60u * 20);
 }
 
 /// The same on processors with fewer lanes.

@@ -13,6 +13,7 @@ Neighbourhood::Neighbourhood(const DelaunayGraph& graph)
 Neighbourhood::~Neighbourhood() = default;
 
 bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
+  k = std::min(k, static_cast<Index>(graph_.xy.size()));  // no order is larger
   begin_at(u, k);
   reach([&](const auto& f) { graph_.for_each_neighbour(u, f); });
   degree_ = size_;
