@@ -14,6 +14,7 @@
 
 #include "hodt/base/lanes.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/order/circle_counter.h"
 
 namespace hodt {
 namespace {
@@ -208,7 +209,7 @@ TEST(UsefulEdges, no_limit_is_too_large) {
   for (Index u = 0; u < graph.xy.size(); ++u) {
     std::vector<std::pair<VertexId, Index>> all, unlimited;
     for (const UsefulEdge& e : search.from(VertexId(u), 60, kAll)) all.emplace_back(e.to, e.order);
-    for (const UsefulEdge& e : search.from(VertexId(u), kNone - 1, kAll))
+    for (const UsefulEdge& e : search.from(VertexId(u), kUnlimited, kAll))
       unlimited.emplace_back(e.to, e.order);
     EXPECT_EQ(all, unlimited);
     edges += all.size();

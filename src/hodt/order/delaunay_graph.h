@@ -1,6 +1,9 @@
 // The Delaunay triangulation as the graph that every question about orders is answered on.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "hodt/delaunay/delaunay.h"
@@ -36,6 +39,16 @@ class DelaunayGraph {
     bool found = false;
     for_each_neighbour(u, [&](VertexId w) { found |= w == v; });
     return found;
+  }
+
+  /// How far away the nearest neighbour is, in the larger of its two coordinates.
+  double nearest(VertexId v) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for_each_neighbour(v, [&](VertexId w) {
+      nearest = std::min(nearest, std::max(std::fabs(point(w).x - point(v).x),
+                                           std::fabs(point(w).y - point(v).y)));
+    });
+    return nearest;
   }
 
   /// A vertex of so many neighbours that searches had better not go through it. None is known

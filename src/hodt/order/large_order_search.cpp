@@ -28,13 +28,7 @@ void LargeOrderSearch::gather() {
   around_.clear();
   all_images_.clear();
   seen_[u_] = round_;
-  double nearest = 0;
-  graph_.for_each_neighbour(u_, [&](VertexId v) {
-    const double size = std::max(std::fabs(graph_.point(v).x - graph_.point(u_).x),
-                                 std::fabs(graph_.point(v).y - graph_.point(u_).y));
-    nearest = nearest == 0 ? size : std::min(nearest, size);
-  });
-  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(nearest), -1000, 1000));
+  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(graph_.nearest(u_)), -1000, 1000));
   const auto take = [&](VertexId v) {
     if (seen_[v] == round_) return;
     seen_[v] = round_;

@@ -15,6 +15,11 @@ namespace {
 
 constexpr Index kBlock = 64;
 
+/// Loops go on to a multiple of 16, through points at u.
+constexpr Index whole_lanes(Index size) {
+  return (size + 15) / 16 * 16;
+}
+
 // ---- Single precision: how many points are inside every circle through u and q? ----
 //
 // The circles through u = 0 and q are r - p·q = t (q × p), one for each t; p is inside if
@@ -248,7 +253,7 @@ Index LocalPoints::surely_inside(Index q, Index enough) const {
   const float qx = xf_[q], qy = yf_[q], rq = rf_[q] + kTiny;
   Index counts[6] = {0, 0, 0, 0, 0, 0};
   for (Index first = 0;; first += kMostCounted) {
-    const Index size = std::min(kMostCounted, (size_ - first + 15) / 16 * 16);
+    const Index size = std::min(kMostCounted, whole_lanes(size_ - first));
     const auto [low, high] = count_inside(&xf_[first], &yf_[first], &rf_[first], size, qx, qy, rq);
     counts[0] += low & 1023;
     counts[1] += low >> 10 & 1023;
@@ -270,13 +275,13 @@ bool LocalPoints::surely_beyond(Index q, Index limit) const {
   };
   // Mostly a few points around u are enough.
   constexpr Index kFew = 32;
-  const Index size = (size_ + 15) / 16 * 16;
+  const Index size = whole_lanes(size_);
   return (size > kFew && more_among(kFew)) || more_among(size);
 }
 
 LocalPoints::Firsts LocalPoints::guess_firsts(Index q) const {
   const float qx = xf_[q], qy = yf_[q];
-  const Index size = (size_ + 15) / 16 * 16;
+  const Index size = whole_lanes(size_);
   const auto index_bits = static_cast<std::int32_t>(std::bit_ceil(size) - 1);
   constexpr FirstKeys none;
   const FirstKeys keys = first_keys(xf_.data(), yf_.data(), rf_.data(), size, index_bits, qx, qy);

@@ -1,7 +1,6 @@
 #include "hodt/order/neighbourhood.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hodt/order/pencil.h"
 
@@ -72,12 +71,7 @@ void Neighbourhood::begin_at(VertexId u, Index k) {
     round_ = 1;
   }
   seen_[u] = round_;
-  double nearest = std::numeric_limits<double>::infinity();
-  graph_.for_each_neighbour(u, [&](VertexId v) {
-    nearest = std::min(nearest, std::max(std::fabs(graph_.point(v).x - graph_.point(u).x),
-                                         std::fabs(graph_.point(v).y - graph_.point(u).y)));
-  });
-  points_.clear(nearest);
+  points_.clear(graph_.nearest(u));
   levels_.clear(k);
 }
 

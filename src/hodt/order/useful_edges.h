@@ -82,12 +82,11 @@ class UsefulEdgeSearch {
   void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted) {
     // A hub has too many around it to compare them all with each other.
     if (graph_.is_hub(u)) return from_others(u, limit, wanted);
-    const bool has_large = large_ && limit >= kLargeInCrowd;
-    complete_ =
-        around_.gather(u, limit, has_large ? std::min(effort_, crowd_effort(limit)) : effort_);
+    const std::size_t worth = large_ && limit >= kLargeInCrowd ? crowd_effort(limit) : effort_;
+    complete_ = around_.gather(u, limit, std::min(effort_, worth));
     if (complete_)
       among_gathered(limit, wanted);
-    else if (has_large && effort_ > crowd_effort(limit))
+    else if (worth < effort_)
       by_large_search(u, limit, wanted);
   }
 
