@@ -28,7 +28,6 @@ double cgal_seconds(const Points& points) {
 
 void run(const std::string& name, const Points& points, std::size_t runs) {
   const hodt::Delaunay delaunay = hodt::delaunay({points, {}});
-  const hodt::Numbering numbering = hodt::own_numbering(delaunay.vertices.size());
   for (const hodt::Index k : {1, 2, 4, 8}) {
     std::vector<double> seconds, ratios;
     std::size_t edges = 0;
@@ -39,7 +38,7 @@ void run(const std::string& name, const Points& points, std::size_t runs) {
         hodt::DelaunayGraph graph(delaunay);
         if (k > 1) graph.list_neighbours();
         hodt::for_each_edge(
-            graph, hodt::EdgeClass::useful, k, numbering,
+            graph, hodt::EdgeClass::useful, k,
             [&](std::span<const hodt::EdgeRecord> piece) { edges += piece.size(); });
       }));
       ratios.push_back(seconds.back() / peer);

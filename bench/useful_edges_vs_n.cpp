@@ -37,7 +37,7 @@ Run useful_edges(const Points& points, hodt::Index k, std::size_t sample) {
       hodt::parallel_for(0, asked, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
           const hodt::VertexId u(static_cast<hodt::Index>(i * n / asked));
-          edges += searches.mine().from(u, k, [&](hodt::VertexId v) { return v > u; }).size();
+          edges += searches.mine().to_larger(u, k).size();
         }
       });
     });

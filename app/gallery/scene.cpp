@@ -18,11 +18,9 @@ double distance(const Point& p, const Point& q) {
 
 std::vector<OrderedEdge> edges(const Scene& scene, hodt::EdgeClass edge_class, Index k) {
   std::vector<OrderedEdge> result;
-  hodt::for_each_edge(scene.graph, edge_class, k, hodt::own_numbering(scene.graph.xy.size()),
-                      [&](std::span<const hodt::EdgeRecord> piece) {
-                        for (const auto& [u, v, order] : piece)
-                          result.push_back({VertexId(u), VertexId(v), order});
-                      });
+  hodt::for_each_edge(scene.graph, edge_class, k, [&](std::span<const hodt::EdgeRecord> piece) {
+    for (const auto& [u, v, order] : piece) result.push_back({VertexId(u), VertexId(v), order});
+  });
   return result;
 }
 

@@ -113,6 +113,31 @@ TEST_P(UsefulFamilies, cuts_lose_nothing) {
   }
 }
 
+/// Half the directions lead to every edge once.
+TEST_P(UsefulFamilies, larger_ends_are_half_of_all) {
+  const bool slow = GetParam().name == "wide_range";
+  for (const int n : {9, 40, 80}) {
+    if (slow && n > 9) continue;
+    const Delaunay d = delaunay(support::to_point_set(GetParam().make(n, n)));
+    DelaunayGraph graph(d);
+    for (const bool listed : {false, true}) {
+      if (listed) graph.list_neighbours();
+      UsefulEdgeSearch search(graph);
+      for (const Index limit : {1, 2, 4, 7, 9}) {
+        for (Index u = 0; u < graph.xy.size(); ++u) {
+          std::vector<std::pair<Index, Index>> expected, found;
+          for (const UsefulEdge& e : search.from(VertexId(u), limit, kAll))
+            if (lexicographically_less(graph.xy[u], graph.point(e.to)))
+              expected.emplace_back(e.to, e.order);
+          for (const UsefulEdge& e : search.to_larger(VertexId(u), limit))
+            found.emplace_back(e.to, e.order);
+          ASSERT_EQ(found, expected) << u << ' ' << support::to_source(d.vertices.xy);
+        }
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, UsefulFamilies, testing::ValuesIn(families::all()),
                          [](const auto& each) { return each.param.name; });
 

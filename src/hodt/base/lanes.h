@@ -11,7 +11,12 @@
 
 #include "hodt/base/ids.h"
 
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <immintrin.h>
+#endif
+
 #define HODT_INLINE inline __attribute__((always_inline))
+#define HODT_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace hodt {
 
@@ -52,6 +57,31 @@ HODT_INLINE Value fold(const Value* values, const Operation& operation) {
   }
 }
 
+/// The signs of the lanes, a bit each: set for negative ones, and for -0.
+template <Index N>
+HODT_INLINE std::uint64_t signs_one_by_one(const typename Lanes<N>::Floats& lanes) {
+  std::uint64_t bits = 0;
+  for (Index i = 0; i < N; ++i) bits |= std::uint64_t{std::signbit(lanes[i])} << i;
+  return bits;
+}
+#if defined(__x86_64__) && defined(__GNUC__)
+// Not forced inline, which may not cross the border between instruction sets; they are inlined all
+// the same.
+__attribute__((target("avx512f"))) inline std::uint64_t signs(const Lanes<16>::Floats& lanes) {
+  return _mm512_cmplt_epi32_mask(_mm512_castps_si512(lanes), _mm512_setzero_si512());
+}
+__attribute__((target("avx2"))) inline std::uint64_t signs(const Lanes<8>::Floats& lanes) {
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(lanes));
+}
+inline std::uint64_t signs(const Lanes<4>::Floats& lanes) {
+  return static_cast<std::uint32_t>(_mm_movemask_ps(lanes));
+}
+#else
+inline std::uint64_t signs(const Lanes<4>::Floats& lanes) {
+  return signs_one_by_one<4>(lanes);
+}
+#endif
+
 #if defined(__x86_64__) && defined(__GNUC__)
 #define HODT_FOR_LANES(kernel)                                                     \
   template <class... Arguments>                                                    \
@@ -86,7 +116,15 @@ inline Index native_lanes() {
 }
 #endif
 
+/// The kernel may be a lambda: f.template operator()<N>(), itself HODT_INLINE.
+template <Index N, class F>
+HODT_INLINE auto run(const F& f) {
+  return f.template operator()<N>();
+}
+
 inline Index lanes_in_use = native_lanes();
+
+HODT_FOR_LANES(run)
 
 /// As on a processor with fewer lanes (4 or 8), while it lives. For tests; nothing else may run.
 class LaneLimit {

@@ -16,7 +16,9 @@ namespace {
 /// The edges of one class at one vertex after another.
 class EdgesAt {
  public:
-  EdgesAt(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering& numbering,
+  /// Without a numbering vertices go by their own ids, and the lexicographically smaller end has
+  /// the edge.
+  EdgesAt(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering* numbering,
           const Buffer<bool>& fixed, UsefulEdgeSearch& useful)
       : graph_(graph),
         class_(edge_class),
@@ -25,13 +27,16 @@ class EdgesAt {
         fixed_(fixed),
         useful_(useful) {}
 
-  /// Adds those from u to vertices of larger numbers, sorted.
+  /// Adds those from u to larger vertices, sorted.
   void add(VertexId u, std::vector<EdgeRecord>& records) {
     const std::size_t before = records.size();
-    const Index number = numbering_.number[u];
-    const auto is_larger = [&](VertexId v) { return numbering_.number[v] > number; };
+    const auto number = [&](VertexId v) { return numbering_ ? numbering_->number[v] : Index(v); };
+    const auto is_larger = [&](VertexId v) {
+      return numbering_ ? number(v) > number(u)
+                        : lexicographically_less(graph_.point(u), graph_.point(v));
+    };
     const auto record = [&](VertexId v, Index order) {
-      records.push_back({number, numbering_.number[v], order});
+      records.push_back({number(u), number(v), order});
     };
     switch (class_) {
       case EdgeClass::fixed:
@@ -45,7 +50,9 @@ class EdgesAt {
           add_first_order(u, is_larger, record);
           break;
         }
-        for (const UsefulEdge& edge : useful_.from(u, k_, is_larger)) record(edge.to, edge.order);
+        for (const UsefulEdge& edge :
+             numbering_ ? useful_.from(u, k_, is_larger) : useful_.to_larger(u, k_))
+          record(edge.to, edge.order);
         [[fallthrough]];
       case EdgeClass::delaunay:
         graph_.for_each_neighbour(u, [&](VertexId v) {
@@ -96,16 +103,15 @@ class EdgesAt {
   const DelaunayGraph& graph_;
   const EdgeClass class_;
   const Index k_;
-  const Numbering& numbering_;
+  const Numbering* const numbering_;
   const Buffer<bool>& fixed_;
   UsefulEdgeSearch& useful_;
 };
 
-}  // namespace
+using Sink = std::function<void(std::span<const EdgeRecord>)>;
 
-void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
-                   const Numbering& numbering,
-                   const std::function<void(std::span<const EdgeRecord>)>& sink) {
+void stream(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering* numbering,
+            const Sink& sink) {
   const bool asks_fixed =
       edge_class == EdgeClass::fixed || (edge_class == EdgeClass::useful && k == 1);
   const Buffer<bool> fixed = asks_fixed ? fixed_edges(graph, k) : Buffer<bool>();
@@ -113,9 +119,21 @@ void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
   constexpr std::size_t kBatch = 1 << 17, kPiece = 1 << 10;
   const auto add = [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {
     EdgesAt edges(graph, edge_class, k, numbering, fixed, searches.mine());
-    for (std::size_t i = first; i < last; ++i) edges.add(numbering.ascending[i], records);
+    for (std::size_t i = first; i < last; ++i)
+      edges.add(numbering ? numbering->ascending[i] : VertexId(Index(i)), records);
   };
   parallel_stream<EdgeRecord>(0, graph.xy.size(), kBatch, kPiece, add, sink);
+}
+
+}  // namespace
+
+void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Sink& sink) {
+  stream(graph, edge_class, k, nullptr, sink);
+}
+
+void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
+                   const Numbering& numbering, const Sink& sink) {
+  stream(graph, edge_class, k, &numbering, sink);
 }
 
 }  // namespace hodt

@@ -17,17 +17,23 @@ enum class EdgeClass {
   delaunay,  ///< useful order 0, whatever k is
 };
 
-/// An edge by the numbers of its ends, u < v.
+/// An edge by the numbers of its ends.
 struct EdgeRecord {
   Index u, v;
   Index order;
   friend bool operator==(const EdgeRecord&, const EdgeRecord&) = default;
 };
 
-/// Passes all edges of the class and of order at most k to the sink, in pieces, sorted by u and
-/// then v; a piece can be empty. Memory does not grow with their number (but for `fixed`: a byte a
+/// Passes all edges of the class and of order at most k to the sink, in pieces; a piece can be
+/// empty. Vertices go by their ids, u is lexicographically smaller than v, and the edges come
+/// sorted by u and then v. Memory does not grow with their number (but for `fixed`: a byte a
 /// half-edge). The same pieces on any number of threads. Of a graph with listed neighbours it is
 /// faster.
+void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
+                   const std::function<void(std::span<const EdgeRecord>)>& sink);
+
+/// The same with vertices by their numbers, u < v, sorted by these. Useful edges take longer, as
+/// they are found from both ends.
 void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
                    const Numbering& numbering,
                    const std::function<void(std::span<const EdgeRecord>)>& sink);

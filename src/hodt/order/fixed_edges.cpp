@@ -35,7 +35,7 @@ Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k) {
     UsefulEdgeSearch& search = searches.mine();
     for (std::size_t i = first; i < last; ++i) {
       const VertexId u{Index(i)};
-      for (const UsefulEdge& edge : search.from(u, k, [&](VertexId v) { return v > u; }))
+      for (const UsefulEdge& edge : search.to_larger(u, k))
         for_each_crossed(mesh, graph.xy, graph.outgoing[u], u, edge.to, [&](HalfEdgeId h) {
           cross(h);
           cross(mesh.twin(h));

@@ -67,12 +67,13 @@ struct UsefulLists {
   }
 };
 
-/// Lists by a vertex's place among the numbers; each list sorted, as the edges come sorted.
+/// Lists by a vertex's place among the numbers; each list sorted.
 UsefulLists useful_lists(const DelaunayGraph& graph, Index k, const Numbering& numbering,
                          const std::vector<Index>& place_of_number) {
   std::vector<EdgeRecord> edges;
-  for_each_edge(graph, EdgeClass::useful, k, numbering, [&](std::span<const EdgeRecord> piece) {
-    edges.insert(edges.end(), piece.begin(), piece.end());
+  for_each_edge(graph, EdgeClass::useful, k, [&](std::span<const EdgeRecord> piece) {
+    for (const auto& [u, v, order] : piece)
+      edges.push_back({numbering.number[VertexId(u)], numbering.number[VertexId(v)], order});
   });
   UsefulLists lists;
   lists.first.assign(graph.xy.size() + 1, 0);
@@ -85,6 +86,12 @@ UsefulLists useful_lists(const DelaunayGraph& graph, Index k, const Numbering& n
   std::vector<std::size_t> next(lists.first.begin(), lists.first.end() - 1);
   for (const EdgeRecord& e : edges) lists.ends[next[place_of_number[e.v]]++] = {e.u, e.order};
   for (const EdgeRecord& e : edges) lists.ends[next[place_of_number[e.u]]++] = {e.v, e.order};
+  parallel_for(0, graph.xy.size(), 1 << 10, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      std::sort(lists.ends.begin() + std::ptrdiff_t(lists.first[i]),
+                lists.ends.begin() + std::ptrdiff_t(lists.first[i + 1]),
+                [](const auto& a, const auto& b) { return a.to < b.to; });
+  });
   return lists;
 }
 

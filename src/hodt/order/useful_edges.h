@@ -13,6 +13,7 @@
 #include "hodt/order/large_order_search.h"
 #include "hodt/order/neighbourhood.h"
 #include "hodt/order/pencil.h"
+#include "hodt/order/window_walk.h"
 
 namespace hodt {
 
@@ -26,11 +27,14 @@ struct UsefulEdge {
 /// thread. docs/design/useful-edges.md tells how it works and why it is exact.
 class UsefulEdgeSearch {
  public:
-  explicit UsefulEdgeSearch(const DelaunayGraph& graph) : graph_(graph), around_(graph) {}
+  explicit UsefulEdgeSearch(const DelaunayGraph& graph)
+      : graph_(graph), windows_(graph), around_(graph) {}
   /// Questions about large orders go to a search made for them.
   UsefulEdgeSearch(const DelaunayGraph& graph, const PointTree& tree)
-      : graph_(graph), around_(graph), large_(std::in_place, graph, tree) {}
+      : graph_(graph), windows_(graph), around_(graph), large_(std::in_place, graph, tree) {}
 
+  /// Up to here a walk through windows is faster than a set of neighbours.
+  static constexpr Index kMostByWindows = 8;
   /// From here on the search for large orders is faster.
   static constexpr Index kLarge = 320;
   /// And from here on where very many points are near one circle.
@@ -52,13 +56,29 @@ class UsefulEdgeSearch {
   /// order, then by vertex. The result lives until the next call.
   template <class Wanted>
   const std::vector<UsefulEdge>& from(VertexId u, Index limit, const Wanted& wanted) {
+    return find(u, limit, wanted, Towards::all);
+  }
+
+  /// The same for the edges to lexicographically larger vertices: less than all, and all in all
+  /// every edge once.
+  const std::vector<UsefulEdge>& to_larger(VertexId u, Index limit) {
+    const Point& from = graph_.point(u);
+    return find(
+        u, limit, [&](VertexId v) { return lexicographically_less(from, graph_.point(v)); },
+        Towards::larger);
+  }
+
+ private:
+  template <class Wanted>
+  const std::vector<UsefulEdge>& find(VertexId u, Index limit, const Wanted& wanted,
+                                      Towards towards) {
     found_.clear();
     complete_ = true;
     if (limit == 1)
       across_one_edge(u, wanted);
     else if (limit >= kLarge && large_)
       by_large_search(u, limit, wanted);
-    else if (limit > 1)
+    else if (limit > 1 && !(limit <= kMostByWindows && through_windows(u, limit, wanted, towards)))
       beyond_one_edge(u, limit, wanted);
     std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
       return a.order != b.order ? a.order < b.order : a.to < b.to;
@@ -66,7 +86,20 @@ class UsefulEdgeSearch {
     return found_;
   }
 
- private:
+  /// False, and nothing found, if there is too much around u.
+  template <class Wanted>
+  bool through_windows(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
+    if (graph_.is_hub(u) || !windows_.begin(u, limit, towards)) return false;
+    while (windows_.find_next()) {
+      const VertexId v = windows_.candidate();
+      if (!wanted(v)) continue;
+      const Index order = windows_.useful_order();
+      if (order <= limit) found_.push_back({v, order});
+    }
+    if (windows_.gave_up()) found_.clear();
+    return !windows_.gave_up();
+  }
+
   /// Corollary 3: an edge of useful order 1 crosses one Delaunay edge, and is its flip.
   template <class Wanted>
   void across_one_edge(VertexId u, const Wanted& wanted) {
@@ -147,6 +180,7 @@ class UsefulEdgeSearch {
   void visit(VertexId v);
 
   const DelaunayGraph& graph_;
+  WindowWalk windows_;
   Neighbourhood around_;
   std::optional<LargeOrderSearch> large_;
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();

@@ -1,0 +1,118 @@
+#include "hodt/order/near_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "../support/convert.h"
+#include "../support/shapes.h"
+#include <gtest/gtest.h>
+
+#include "hodt/geometry/predicates.h"
+
+namespace hodt {
+namespace {
+
+/// The points around the first of a set, which is at place 0.
+class Around {
+ public:
+  explicit Around(std::vector<Point> points) : points_(std::move(points)) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      nearest = std::min(nearest, std::max(std::fabs(offset(i).x), std::fabs(offset(i).y)));
+    near_.clear(nearest);
+    run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA {
+      // In two parts, as they come in practice.
+      for (const std::size_t end : {points_.size() / 2 + 1, points_.size()}) {
+        for (std::size_t i = near_.size(); i < end; ++i) near_.set(Index(i), offset(i));
+        is_near_ &= near_.add<N>(Index(end));
+      }
+    });
+  }
+
+  Point offset(std::size_t i) const {
+    return {points_[i].x - points_[0].x, points_[i].y - points_[0].y};
+  }
+  const Point& point(Index i) const { return points_[i]; }
+  Index size() const { return Index(points_.size()); }
+  const NearPoints& near() const { return near_; }
+  bool is_near() const { return is_near_; }
+  NearPoints::Split split(const NearPoints::HalfPlane& plane) const {
+    return run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA { return near_.split<N>(plane); });
+  }
+
+ private:
+  std::vector<Point> points_;
+  NearPoints near_;
+  bool is_near_ = true;
+};
+
+bool has(PlaceSet set, Index i) {
+  return (set >> i & 1) != 0;
+}
+
+/// What is said to be sure is so. How much is left open is returned.
+struct Openness {
+  std::size_t open = 0, all = 0;
+};
+Openness expect_true(const Around& around) {
+  Openness openness;
+  const Point& u = around.point(0);
+  for (Index i = 1; i < around.size(); ++i) {
+    const NearPoints::Split sides = around.split(around.near().left_of(i));
+    for (Index p = 0; p < around.size(); ++p) {
+      const int side = orient(u, around.point(i), around.point(p));
+      EXPECT_TRUE(!has(sides.in, p) || side > 0);
+      EXPECT_TRUE(!has(sides.out, p) || side < 0);
+    }
+    EXPECT_EQ(around.near().is_larger(i), lexicographically_less(u, around.point(i)));
+    for (Index j = 1; j < around.size(); ++j) {
+      if (orient(u, around.point(i), around.point(j)) <= 0) continue;
+      const NearPoints::Split circle = around.split(around.near().inside(i, j));
+      EXPECT_EQ(circle.in & ~around.near().all(), 0u);
+      for (Index p = 0; p < around.size(); ++p) {
+        const int inside = in_circle_plain(u, around.point(i), around.point(j), around.point(p));
+        EXPECT_TRUE(!has(circle.in, p) || inside > 0);
+        EXPECT_TRUE(!has(circle.out, p) || inside < 0 || p == 0);
+        if (p == 0 || p == i || p == j) continue;
+        ++openness.all;
+        openness.open += !has(circle.in, p) && !has(circle.out, p);
+      }
+    }
+  }
+  return openness;
+}
+
+class NearFamilies : public testing::TestWithParam<families::Family> {};
+
+TEST_P(NearFamilies, what_is_sure_is_so) {
+  for (const int n : {8, 17, 30, 64}) {
+    if (GetParam().name == "wide_range" && n > 17) continue;
+    const std::vector<Point> points = support::to_point_set(GetParam().make(n, n)).xy;
+    const Around around(points);
+    if (around.is_near()) expect_true(around);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NearFamilies, testing::ValuesIn(families::all()),
+                         [](const auto& each) { return each.param.name; });
+
+TEST(NearPoints, little_is_left_open) {
+  for (const Index lanes : {4u, 8u, 16u}) {
+    const LaneLimit limit(lanes);
+    const Openness openness = expect_true(Around(support::uniform(64, 3)));
+    EXPECT_GT(openness.all, 50000u);
+    EXPECT_LT(double(openness.open), 1e-3 * double(openness.all));
+  }
+}
+
+TEST(NearPoints, far_points_are_refused) {
+  EXPECT_TRUE(Around({{0, 0}, {1, 0}, {0, 1e15}}).is_near());
+  EXPECT_FALSE(Around({{0, 0}, {1, 0}, {0, 1e18}}).is_near());
+  EXPECT_FALSE(Around({{0, 0}, {1e-300, 0}, {1e300, 1}}).is_near());
+}
+
+}  // namespace
+}  // namespace hodt
