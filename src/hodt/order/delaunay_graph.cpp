@@ -12,10 +12,6 @@ namespace hodt {
 
 namespace {
 
-/// Random points never have so many neighbours; a search through a vertex that has costs its degree
-/// each time.
-constexpr Index kHubDegree = 128;
-
 using Edge = std::pair<VertexId, VertexId>;
 
 /// The Delaunay edges of the points that are no hubs; both directions.

@@ -55,6 +55,10 @@ class DelaunayGraph {
   /// before list_neighbours().
   bool is_hub(VertexId v) const { return !hub_.empty() && hub_[v]; }
   bool has_hubs() const { return !hub_.empty(); }
+  /// That is so in the Delaunay triangulation itself; others are hubs where such are left out.
+  bool has_many_neighbours(VertexId v) const {
+    return has_hubs() && lists_.first[v + 1] - lists_.first[v] > kHubDegree;
+  }
 
   /// Calls f(w) for the vertices to go on to from v in a search for all points inside a circle that
   /// began at `start`, a point on it: a search that goes on from all that it finds inside finds
@@ -86,6 +90,10 @@ class DelaunayGraph {
     }
   };
   void route_around_hubs();
+
+  /// Random points never have so many neighbours; a search through a vertex that has costs its
+  /// degree each time.
+  static constexpr Index kHubDegree = 128;
 
   Lists lists_;       // of neighbours; empty before list_neighbours()
   Buffer<bool> hub_;  // empty if there are none

@@ -101,11 +101,4 @@ bool LargeOrderSearch::may_hold_few(Index i, Index first) const {
   return !line.is_sure() || !level_.surely_more(line.normal, line.distance + line.slack);
 }
 
-/// Lemma 4: the larger count of the two circles through u, v and the first point on either side.
-Index LargeOrderSearch::useful_order(VertexId v, VertexId first_left, VertexId first_right) const {
-  const Index order = tree_.count(u_, v, tree_.first_on_left(u_, v, first_left), limit_);
-  if (order > limit_) return order;
-  return std::max(order, tree_.count(v, u_, tree_.first_on_left(v, u_, first_right), limit_));
-}
-
 }  // namespace hodt

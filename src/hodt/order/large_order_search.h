@@ -32,7 +32,7 @@ class LargeOrderSearch {
     build_hulls();
     for_each_candidate([&](VertexId v, VertexId first_left, VertexId first_right) {
       if (!wanted(v)) return;
-      const Index order = useful_order(v, first_left, first_right);
+      const Index order = tree_.useful_order(u_, v, first_left, first_right, limit_);
       if (order <= limit_) found(v, order);
     });
   }
@@ -50,7 +50,6 @@ class LargeOrderSearch {
   template <class Candidate>
   void for_each_candidate(const Candidate& candidate) const;
   bool may_hold_few(Index i, Index first) const;
-  Index useful_order(VertexId v, VertexId first_left, VertexId first_right) const;
   Point image_of(VertexId v) const;
 
   const DelaunayGraph& graph_;

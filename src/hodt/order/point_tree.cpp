@@ -238,4 +238,11 @@ VertexId PointTree::first_on_left(VertexId a, VertexId b, VertexId start) const 
   return first;
 }
 
+Index PointTree::useful_order(VertexId u, VertexId v, VertexId left, VertexId right,
+                              Index limit) const {
+  const Index order = count(u, v, first_on_left(u, v, left), limit);
+  if (order > limit) return order;
+  return std::max(order, count(v, u, first_on_left(v, u, right), limit));
+}
+
 }  // namespace hodt

@@ -23,6 +23,10 @@ class PointTree {
   /// Of the points to the left of the line from a to b, the one whose circle with a and b holds no
   /// other of them. REQUIRES that `start` is one of them; the closer it is, the better.
   VertexId first_on_left(VertexId a, VertexId b, VertexId start) const;
+  /// The useful order of uv by Lemma 4, or more than `limit` if it is larger: the larger count of
+  /// the two circles through u, v and the first point on either side. REQUIRES points of either
+  /// side to start with, and none on the segment.
+  Index useful_order(VertexId u, VertexId v, VertexId left, VertexId right, Index limit) const;
 
  private:
   static constexpr Index kWidth = 8;

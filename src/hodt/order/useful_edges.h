@@ -28,13 +28,18 @@ struct UsefulEdge {
 class UsefulEdgeSearch {
  public:
   explicit UsefulEdgeSearch(const DelaunayGraph& graph)
-      : graph_(graph), windows_(graph), around_(graph) {}
+      : graph_(graph), narrow_(graph), around_(graph) {}
   /// Questions about large orders go to a search made for them.
   UsefulEdgeSearch(const DelaunayGraph& graph, const PointTree& tree)
-      : graph_(graph), windows_(graph), around_(graph), large_(std::in_place, graph, tree) {}
+      : graph_(graph),
+        tree_(&tree),
+        narrow_(graph),
+        around_(graph),
+        large_(std::in_place, graph, tree) {}
 
-  /// Up to here a walk through windows is faster than a set of neighbours.
-  static constexpr Index kMostByWindows = 8;
+  /// Up to here a walk through windows is faster than a set of neighbours, and up to there one that
+  /// knows few points mostly does.
+  static constexpr Index kMostByWindows = 16, kMostByNarrow = 8;
   /// From here on the search for large orders is faster.
   static constexpr Index kLarge = 320;
   /// And from here on where very many points are near one circle.
@@ -86,18 +91,33 @@ class UsefulEdgeSearch {
     return found_;
   }
 
-  /// False, and nothing found, if there is too much around u.
   template <class Wanted>
   bool through_windows(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
-    if (graph_.is_hub(u) || !windows_.begin(u, limit, towards)) return false;
-    while (windows_.find_next()) {
-      const VertexId v = windows_.candidate();
+    if (limit <= kMostByNarrow && through(narrow_, u, limit, wanted, towards)) return true;
+    if (!wide_) wide_.emplace(graph_);
+    if (through(*wide_, u, limit, wanted, towards)) return true;
+    if (!widest_) widest_.emplace(graph_);
+    return through(*widest_, u, limit, wanted, towards);
+  }
+
+  /// False, and nothing found, if there is too much around u.
+  template <class Walk, class Wanted>
+  bool through(Walk& walk, VertexId u, Index limit, const Wanted& wanted, Towards towards) {
+    walk.begin(u, limit, towards);
+    while (walk.find_next()) {
+      const VertexId v = walk.candidate();
       if (!wanted(v)) continue;
-      const Index order = windows_.useful_order();
+      Index order = walk.useful_order();
+      if (order == kNone && !walk.gave_up() && tree_)
+        order = tree_->useful_order(u, v, walk.on_left(), walk.on_right(), limit);
+      if (order == kNone) {
+        found_.clear();
+        return false;
+      }
       if (order <= limit) found_.push_back({v, order});
     }
-    if (windows_.gave_up()) found_.clear();
-    return !windows_.gave_up();
+    if (walk.gave_up()) found_.clear();
+    return !walk.gave_up();
   }
 
   /// Corollary 3: an edge of useful order 1 crosses one Delaunay edge, and is its flip.
@@ -180,7 +200,11 @@ class UsefulEdgeSearch {
   void visit(VertexId v);
 
   const DelaunayGraph& graph_;
-  WindowWalk windows_;
+  const PointTree* tree_ = nullptr;
+  WindowWalk<1> narrow_;
+  // When they are asked for.
+  std::optional<WindowWalk<4>> wide_;
+  std::optional<WindowWalk<16>> widest_;
   Neighbourhood around_;
   std::optional<LargeOrderSearch> large_;
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();

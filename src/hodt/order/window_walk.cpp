@@ -3,64 +3,63 @@
 #include <algorithm>
 
 #include "hodt/base/lanes.h"
+#include "hodt/geometry/circle.h"
 #include "hodt/geometry/predicates.h"
 
 namespace hodt {
 
-/// The neighbours get places, and theirs.
-template <Index N>
-HODT_INLINE void WindowWalk::begin_at(VertexId u) {
-  if (++round_ == 1u << 26) {
+/// No points but u.
+template <Index kWords>
+void WindowWalk<kWords>::forget() {
+  if (++round_ >= kNone / Set::kMost) {
     places_.fill(0);
     round_ = 1;
   }
-  points_.clear(graph_.nearest(u));
-  vertices_[0] = u;
-  places_[u] = round_ * NearPoints::kMost;
+  places_[u_] = round_ * Set::kMost;
+  vertices_[0] = u_;
   size_ = 1;
-  expanded_ = 0;
+  expanded_ = {};
   is_full_ = false;
-  open_count_ = 0;
-  open_.resize(std::max(open_.size(), std::size_t{NearPoints::kMost}));
-  expand(0);
-  const Index degree = size_;
-  for (Index i = 1; i < degree && !is_full_; ++i) expand(i);
-  take_up<N>();
 }
 
 /// The place of a vertex, a new one if it has none. (No floating point in here: what is called from
 /// code in lanes had better be made for the same processor, or do without.)
-Index WindowWalk::place_of(VertexId v) {
+template <Index kWords>
+Index WindowWalk<kWords>::place_of(VertexId v) {
   const std::uint32_t known = places_[v];
-  if (known / NearPoints::kMost == round_) return known % NearPoints::kMost;
-  // Searches had better not go through hubs, and those that do not want a set that goes around.
-  if (size_ == NearPoints::kMost || graph_.is_hub(v)) {
+  if (known / Set::kMost == round_) return known % Set::kMost;
+  if (size_ == Set::kMost) {
     is_full_ = true;
     return 0;
   }
   vertices_[size_] = v;
-  places_[v] = round_ * NearPoints::kMost + size_;
+  places_[v] = round_ * Set::kMost + size_;
   return size_++;
 }
 
-/// To be taken up afterwards.
-void WindowWalk::expand(Index place) {
-  expanded_ |= only(place);
+/// Its neighbours get places, to be taken up afterwards. False if they are too many.
+template <Index kWords>
+bool WindowWalk<kWords>::expand(Index place) {
+  if (graph_.has_many_neighbours(vertices_[place])) return false;
+  expanded_ |= Set::only(place);
   graph_.for_each_neighbour(vertices_[place], [&](VertexId w) { place_of(w); });
+  return true;
 }
 
 /// The points of new places.
+template <Index kWords>
 template <Index N>
-HODT_INLINE void WindowWalk::take_up() {
+HODT_INLINE void WindowWalk<kWords>::take_up() {
   const Point& u = point(0);
   for (Index i = points_.size(); i < size_; ++i)
     points_.set(i, {point(i).x - u.x, point(i).y - u.y});
-  if (!points_.add<N>(size_)) is_full_ = true;
+  if (!points_.template add<N>(size_)) is_full_ = true;
 }
 
 /// Adds a window unless nothing can come of it. That is a matter of chance: so no branch on it.
-HODT_INLINE void WindowWalk::open(const Window& window) {
-  const bool is_open = (count(window.inside_left) <= k_) & (count(window.inside_right) <= k_) &
+template <Index kWords>
+HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
+  const bool is_open = (window.inside_left.count() <= k_) & (window.inside_right.count() <= k_) &
                        // What is between two rays to smaller vertices is smaller itself.
                        (is_sought(window.left_ray) | is_sought(window.right_ray)) &
                        window.beyond.valid();
@@ -68,110 +67,185 @@ HODT_INLINE void WindowWalk::open(const Window& window) {
   open_count_ += static_cast<std::size_t>(is_open);
 }
 
+/// The window through the edge across from u in the triangle that h, from u, belongs to.
+template <Index kWords>
 template <Index N>
-HODT_INLINE void WindowWalk::open_first_windows() {
+HODT_INLINE void WindowWalk<kWords>::open_first(HalfEdgeId h) {
   const TriangleMesh& mesh = graph_.mesh;
-  const HalfEdgeId start = graph_.outgoing[vertices_[0]];
+  const Index right = place_of(mesh.target(h)), left = place_of(mesh.apex(h));
+  if (!is_sought(left) && !is_sought(right)) return;
+  const auto [by_left, by_right] =
+      points_.template split<N>(std::array{points_.left_of(left), points_.left_of(right)});
+  open({.beyond = mesh.twin(TriangleMesh::next(h)),
+        .left = left,
+        .right = right,
+        .left_ray = left,
+        .right_ray = right,
+        .beyond_left = by_left.in,
+        .within = by_left.out & by_right.in,
+        .beyond_right = by_right.out,
+        .inside_left = Set::only(left),
+        .inside_right = Set::only(right)});
+}
+
+/// Opens windows in all directions. The more points are known, the earlier the walk can end: to
+/// begin with, the neighbours and theirs.
+template <Index kWords>
+template <Index N>
+HODT_INLINE void WindowWalk<kWords>::begin_at_all() {
+  const TriangleMesh& mesh = graph_.mesh;
+  const Index degree = size_;
+  for (Index i = 1; i < degree && size_ <= Set::kMost / 2; ++i) expand(i);
+  take_up<N>();
+  if (is_full_) return;
+  if (open_.size() < degree) open_.resize(2 * std::size_t{degree});
+  const HalfEdgeId start = graph_.outgoing[u_];
   HalfEdgeId h = start;
   do {
-    const Index right = place_of(mesh.target(h)), left = place_of(mesh.apex(h));
-    if (is_sought(left) || is_sought(right)) {
-      const auto [by_left, by_right] =
-          points_.split<N>(std::array{points_.left_of(left), points_.left_of(right)});
-      open({.beyond = mesh.twin(TriangleMesh::next(h)),
-            .left = left,
-            .right = right,
-            .left_ray = left,
-            .right_ray = right,
-            .beyond_left = by_left.in,
-            .within = by_left.out & by_right.in,
-            .beyond_right = by_right.out,
-            .inside_left = only(left),
-            .inside_right = only(right)});
-    }
+    open_first<N>(h);
     h = mesh.rotate_ccw(h);
   } while (h.valid() && h != start);
 }
 
+/// Opens the window of the next triangle only. Of a vertex with very many neighbours each triangle
+/// has its own points.
+template <Index kWords>
+template <Index N>
+HODT_INLINE void WindowWalk<kWords>::begin_at_next() {
+  const TriangleMesh& mesh = graph_.mesh;
+  const HalfEdgeId h = next_;
+  next_ = mesh.rotate_ccw(h);
+  if (next_ == graph_.outgoing[u_]) next_ = HalfEdgeId();
+  forget();
+  points_.clear(nearest_);
+  for (const VertexId v : {mesh.target(h), mesh.apex(h)}) expand(place_of(v));
+  take_up<N>();
+  if (!is_full_) open_first<N>(h);
+}
+
 /// 0 if the point is seen through the window, else +1 or -1: on its left ray or further left, on
 /// its right ray or further right.
-HODT_INLINE int WindowWalk::side_of(const Window& window, Index place) const {
-  const PlaceSet it = only(place);
-  if ((window.within & it) != 0) return 0;
-  if ((window.beyond_left & it) != 0) return 1;
-  if ((window.beyond_right & it) != 0) return -1;
+template <Index kWords>
+HODT_INLINE int WindowWalk<kWords>::side_of(const Window& window, Index place) const {
+  if (window.within.has(place)) return 0;
+  if (window.beyond_left.has(place)) return 1;
+  if (window.beyond_right.has(place)) return -1;
   const Point &u = point(0), &p = point(place);
   if (orient(u, point(window.left_ray), p) >= 0) return 1;
   return orient(u, point(window.right_ray), p) <= 0 ? -1 : 0;
 }
 
+/// Adds what is inside the circle through u, i and j although rounding leaves it in doubt, until
+/// the window is seen to be no use. Where many points are close to one circle nothing else ends the
+/// walk in time.
+template <Index kWords>
+void WindowWalk<kWords>::look_closer(Window& window, Index i, Index j, const Split& circle) const {
+  const Circle exact(point(0), point(i), point(j));
+  const Set doubtful =
+      Set::first(size_) - circle.in - circle.out - Set::only(0) - Set::only(i) - Set::only(j);
+  bool is_open = std::max(window.inside_left.count(), window.inside_right.count()) <= k_;
+  const auto add = [&](const Set& beyond, Set& inside) {
+    Index count = inside.count();
+    if (!is_open) return;
+    is_open = !((doubtful & beyond) - inside).any_of([&](Index p) {
+      if (exact.contains(point(p))) {
+        inside |= Set::only(p);
+        ++count;
+      }
+      return count > k_;
+    });
+  };
+  add(window.beyond_left, window.inside_left);
+  add(window.beyond_right, window.inside_right);
+}
+
 /// Goes on to the triangle beyond, with apex w: through its other two edges goes what is on either
 /// side of it.
+template <Index kWords>
 template <Index N>
-HODT_INLINE void WindowWalk::pass(const Window& window) {
+HODT_INLINE void WindowWalk<kWords>::pass(const Window& window) {
   const TriangleMesh& mesh = graph_.mesh;
   const VertexId vertex = mesh.apex(window.beyond);
   const Index w = place_of(vertex);
   if (w == points_.size()) take_up<N>();
   if (is_full_) return;
-  const auto open_left = [&](Index right_ray, PlaceSet within, PlaceSet beyond_right,
-                             PlaceSet inside) HODT_INLINE_LAMBDA {
-    open({.beyond = mesh.twin(TriangleMesh::prev(window.beyond)),
-          .left = window.left,
-          .right = w,
-          .left_ray = window.left_ray,
-          .right_ray = right_ray,
-          .beyond_left = window.beyond_left,
-          .within = within,
-          .beyond_right = beyond_right,
-          .inside_left = window.inside_left | (inside & window.beyond_left),
-          .inside_right = window.inside_right | (inside & beyond_right) | only(w)});
+  const auto open_left = [&](Index right_ray, const Set& within, const Set& beyond_right,
+                             const Split& circle) HODT_INLINE_LAMBDA {
+    Window left{.beyond = mesh.twin(TriangleMesh::prev(window.beyond)),
+                .left = window.left,
+                .right = w,
+                .left_ray = window.left_ray,
+                .right_ray = right_ray,
+                .beyond_left = window.beyond_left,
+                .within = within,
+                .beyond_right = beyond_right,
+                .inside_left = window.inside_left | (circle.in & window.beyond_left),
+                .inside_right = window.inside_right | (circle.in & beyond_right) | Set::only(w)};
+    if constexpr (kWords > 1) look_closer(left, w, window.left, circle);
+    open(left);
   };
-  const auto open_right = [&](Index left_ray, PlaceSet beyond_left, PlaceSet within,
-                              PlaceSet inside) HODT_INLINE_LAMBDA {
-    open({.beyond = mesh.twin(TriangleMesh::next(window.beyond)),
-          .left = w,
-          .right = window.right,
-          .left_ray = left_ray,
-          .right_ray = window.right_ray,
-          .beyond_left = beyond_left,
-          .within = within,
-          .beyond_right = window.beyond_right,
-          .inside_left = window.inside_left | (inside & beyond_left) | only(w),
-          .inside_right = window.inside_right | (inside & window.beyond_right)});
+  const auto open_right = [&](Index left_ray, const Set& beyond_left, const Set& within,
+                              const Split& circle) HODT_INLINE_LAMBDA {
+    Window right{.beyond = mesh.twin(TriangleMesh::next(window.beyond)),
+                 .left = w,
+                 .right = window.right,
+                 .left_ray = left_ray,
+                 .right_ray = window.right_ray,
+                 .beyond_left = beyond_left,
+                 .within = within,
+                 .beyond_right = window.beyond_right,
+                 .inside_left = window.inside_left | (circle.in & beyond_left) | Set::only(w),
+                 .inside_right = window.inside_right | (circle.in & window.beyond_right)};
+    if constexpr (kWords > 1) look_closer(right, window.right, w, circle);
+    open(right);
   };
   const int side = side_of(window, w);
   if (side > 0)
     return open_right(window.left_ray, window.beyond_left, window.within,
-                      points_.split<N>(points_.inside(window.right, w)).in);
+                      points_.template split<N>(points_.inside(window.right, w)));
   if (side < 0)
     return open_left(window.right_ray, window.within, window.beyond_right,
-                     points_.split<N>(points_.inside(w, window.left)).in);
+                     points_.template split<N>(points_.inside(w, window.left)));
 
-  const auto [right_circle, left_circle, ray] = points_.split<N>(std::array{
+  const auto [right_circle, left_circle, ray] = points_.template split<N>(std::array{
       points_.inside(window.right, w), points_.inside(w, window.left), points_.left_of(w)});
-  const PlaceSet inside_right = window.inside_right | (left_circle.in & ray.out);
-  const PlaceSet inside_left = window.inside_left | (right_circle.in & ray.in);
-  if (std::max(count(inside_left), count(inside_right)) <= k_ && is_sought(w))
+  const Set inside_right = window.inside_right | (left_circle.in & ray.out);
+  const Set inside_left = window.inside_left | (right_circle.in & ray.in);
+  if (std::max(inside_left.count(), inside_right.count()) <= k_ && is_sought(w))
     candidate_ = {vertex, w, window.left, window.right, ray};
-  open_left(w, window.within & ray.in, ray.out, left_circle.in);
-  open_right(w, ray.in, window.within & ray.out, right_circle.in);
+  open_left(w, window.within & ray.in, ray.out, left_circle);
+  open_right(w, ray.in, window.within & ray.out, right_circle);
 }
 
-bool WindowWalk::begin(VertexId u, Index k, Towards towards) {
+template <Index kWords>
+void WindowWalk<kWords>::begin(VertexId u, Index k, Towards towards) {
+  u_ = u;
   k_ = k;
   towards_ = towards;
-  run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA {
-    begin_at<N>(u);
-    if (!is_full_) open_first_windows<N>();
-  });
-  return !is_full_;
+  nearest_ = graph_.nearest(u);
+  open_count_ = 0;
+  forget();
+  if (open_.empty()) open_.resize(Set::kMost);
+  if (expand(0) && !is_full_) {
+    next_ = HalfEdgeId();
+    points_.clear(nearest_);
+    run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA { begin_at_all<N>(); });
+  } else {
+    is_full_ = false;
+    next_ = graph_.outgoing[u];
+  }
 }
 
-bool WindowWalk::find_next() {
+template <Index kWords>
+bool WindowWalk<kWords>::find_next() {
   candidate_.vertex = VertexId();
   run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA {
-    while (open_count_ > 0 && !is_full_ && !candidate_.vertex.valid()) {
+    while (!is_full_ && !candidate_.vertex.valid()) {
+      if (open_count_ == 0) {
+        if (!next_.valid()) break;
+        begin_at_next<N>();
+        continue;
+      }
       // One is taken, two come at the most.
       if (open_.size() < open_count_ + 2) open_.resize(2 * open_.size());
       const Window window = open_[--open_count_];
@@ -183,10 +257,12 @@ bool WindowWalk::find_next() {
 
 /// The points inside the circle through u, the candidate v and the first point on a side, all of
 /// them on the other side. `first` is any point of that side to begin with.
-template <Index N, WindowWalk::Side side>
-HODT_INLINE Index WindowWalk::count_across(Index first) {
+template <Index kWords>
+template <Index N, typename WindowWalk<kWords>::Side side>
+HODT_INLINE Index WindowWalk<kWords>::count_across(Index first) {
   constexpr bool on_left = side == Side::left;
   const Index v = candidate_.place;
+  const Set itself = Set::only(v);
   const Point &u = point(0), &p = point(v);
   const auto is_here = [&](Index i) { return orient(u, p, point(i)) == (on_left ? 1 : -1); };
   const auto is_across = [&](Index i) { return orient(u, p, point(i)) == (on_left ? -1 : 1); };
@@ -194,35 +270,45 @@ HODT_INLINE Index WindowWalk::count_across(Index first) {
     return on_left ? in_circle(u, p, point(first), point(i))
                    : in_circle(p, u, point(first), point(i));
   };
+  // The points inside are connected with u, and with v: all are known if the neighbours of all of
+  // them are, and those of u or of v.
+  Set rest = expanded_.has(0) || expanded_.has(v) ? Set() : itself;
   for (;;) {
+    bool is_known = true;
+    rest.for_each([&](Index i) { is_known &= expand(i); });
+    if (!is_known) return kNone;
+    if (!rest.is_empty()) {
+      if (!is_full_) take_up<N>();
+      if (is_full_) return kNone;
+      candidate_.ray = points_.template split<N>(points_.left_of(v));
+      rest = {};
+    }
+
     const auto circle =
-        points_.split<N>(on_left ? points_.inside(v, first) : points_.inside(first, v));
-    const PlaceSet surely_here = on_left ? candidate_.ray.in : candidate_.ray.out;
-    const PlaceSet surely_across = on_left ? candidate_.ray.out : candidate_.ray.in;
-    const PlaceSet perhaps = points_.all() & ~(circle.out | only(v) | only(first));
+        points_.template split<N>(on_left ? points_.inside(v, first) : points_.inside(first, v));
+    const Set& surely_here = on_left ? candidate_.ray.in : candidate_.ray.out;
+    const Set& surely_across = on_left ? candidate_.ray.out : candidate_.ray.in;
+    const Set perhaps = Set::first(size_) - circle.out - itself - Set::only(first);
 
     const Index before = first;
-    for_each_place(perhaps & ~surely_across, [&](Index i) {
+    (perhaps - surely_across).for_each([&](Index i) {
       if (is_here(i) && is_inside(i)) first = i;
     });
     if (first != before) continue;
 
-    PlaceSet inside = circle.in & surely_across;
-    for_each_place(perhaps & ~surely_here & ~inside, [&](Index i) {
-      if (is_across(i) && is_inside(i)) inside |= only(i);
+    Set inside = circle.in & surely_across;
+    (perhaps - surely_here - inside).for_each([&](Index i) {
+      if (is_across(i) && is_inside(i)) inside |= Set::only(i);
     });
-    if (count(inside) > k_) return k_ + 1;
-    // They are connected with u: all are known if the neighbours of all of them are.
-    const PlaceSet rest = inside & ~expanded_;
-    if (rest == 0) return count(inside);
-    for_each_place(rest, [&](Index i) { expand(i); });
-    if (!is_full_) take_up<N>();
-    if (is_full_) return kNone;
-    candidate_.ray = points_.split<N>(points_.left_of(v));
+    const Index count = inside.count();
+    if (count > k_) return k_ + 1;
+    rest = inside - expanded_;
+    if (rest.is_empty()) return count;
   }
 }
 
-Index WindowWalk::useful_order() {
+template <Index kWords>
+Index WindowWalk<kWords>::useful_order() {
   return run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA -> Index {
     const Index right = count_across<N, Side::left>(candidate_.left);
     if (right > k_) return right;
@@ -230,5 +316,9 @@ Index WindowWalk::useful_order() {
     return std::max(left, right);
   });
 }
+
+template class WindowWalk<1>;
+template class WindowWalk<4>;
+template class WindowWalk<16>;
 
 }  // namespace hodt
