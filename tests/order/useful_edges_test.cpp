@@ -1,7 +1,9 @@
 #include "hodt/order/useful_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -197,6 +199,78 @@ TEST(UsefulEdges, equal_lemma_4_on_a_thousand_points) {
     }
   }
 }
+
+// ---- Hubs and crowds: what plain searches are slow at ----
+
+/// Points around the origin, a bit off a circle; with a hub, all of them are its neighbours.
+support::Points around_circle(std::size_t n, double off, bool is_even, bool hub) {
+  families::Random random(n);
+  support::Points points;
+  if (hub) points.push_back({0, 0});
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * (is_even ? double(i) / double(n) : random.real());
+    const double radius = 1 + off * random.real();
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return points;
+}
+
+support::Points on_parabola(int n) {
+  support::Points points;
+  for (int i = 0; i < n; ++i) points.push_back({double(i), double(i) * i});
+  return points;
+}
+
+class Traps : public testing::TestWithParam<support::Shape> {};
+
+TEST_P(Traps, equal_lemma_4) {
+  const Delaunay d = delaunay({GetParam().make(), {}});
+  const DelaunayGraph plain(d);
+  DelaunayGraph listed(d);
+  listed.list_neighbours();
+  const PointTree tree(plain.xy);
+  UsefulEdgeSearch searches[] = {UsefulEdgeSearch(plain), UsefulEdgeSearch(listed),
+                                 UsefulEdgeSearch(listed, tree)};
+  families::Random random(4);
+  for (int i = 0; i < 16; ++i) {
+    // The first of the input is the hub, if there is one.
+    const auto u =
+        i == 0 ? static_cast<Index>(std::find(d.vertices.row.begin(), d.vertices.row.end(), 0u) -
+                                    d.vertices.row.begin())
+               : static_cast<Index>(random.bits() % plain.xy.size());
+    std::map<Index, Index> all;
+    for (Index v = 0; v < plain.xy.size(); ++v)
+      if (const auto order = u == v ? std::nullopt : lemma_4(plain.xy, u, v); order && *order > 0)
+        all[v] = *order;
+    for (const Index limit : {2, 4, 8, 12, 40, 110}) {
+      std::map<Index, Index> within, larger;
+      for (const auto& [v, order] : all) {
+        if (order > limit) continue;
+        within[v] = order;
+        if (lexicographically_less(plain.xy[u], plain.xy[v])) larger[v] = order;
+      }
+      for (UsefulEdgeSearch& search : searches) {
+        std::map<Index, Index> found, found_larger;
+        for (const UsefulEdge& e : search.from(VertexId(u), limit, kAll)) found[e.to] = e.order;
+        for (const UsefulEdge& e : search.to_larger(VertexId(u), limit))
+          found_larger[e.to] = e.order;
+        ASSERT_EQ(found, within) << "from " << u << " limit " << limit;
+        ASSERT_EQ(found_larger, larger) << "from " << u << " limit " << limit;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, Traps,
+    testing::Values(support::Shape{"star", [] { return around_circle(200, 1e-3, false, true); }},
+                    support::Shape{"wheel", [] { return around_circle(150, 0, true, true); }},
+                    support::Shape{"nearly_a_wheel",
+                                   [] { return around_circle(180, 1e-8, false, true); }},
+                    support::Shape{"polygon", [] { return around_circle(120, 0, true, false); }},
+                    support::Shape{"circle", [] { return around_circle(300, 1e-6, false, false); }},
+                    support::Shape{"parabola", [] { return on_parabola(180); }}),
+    [](const auto& each) { return each.param.name; });
 
 TEST(UsefulEdges, only_what_is_wanted) {
   const Delaunay d = delaunay({support::uniform(2000, 5), {}});

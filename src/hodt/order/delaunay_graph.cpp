@@ -81,14 +81,17 @@ void DelaunayGraph::route_around_hubs() {
   const std::size_t n = xy.size();
   Buffer<bool> hub(n);
   for (Index v = 0; v < n; ++v) hub[v] = lists_.first[v + 1] - lists_.first[v] > kHubDegree;
-  // Without the hubs others can turn into hubs.
+  // Without the hubs others can turn into hubs; of points on a curve nearly all can, one after the
+  // other, which is not worth it.
+  constexpr int kMostRounds = 4;
   std::vector<Edge> edges;
-  for (bool more = true; more;) {
+  bool more = true;
+  for (int round = 1; more; ++round) {
     edges = edges_without(xy, hub);
     std::vector<Index> degree(n, 0);
     for (const auto& [a, b] : edges) ++degree[a];
     more = false;
-    for (Index v = 0; v < n; ++v)
+    for (Index v = 0; v < n && round < kMostRounds; ++v)
       if (degree[v] > kHubDegree) more = hub[v] = true;
   }
 

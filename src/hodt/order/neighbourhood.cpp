@@ -44,7 +44,7 @@ bool Neighbourhood::bound_orders(Index first, Index last, Index k, std::size_t& 
       if (graph_.is_hub(vertices_[i])) least_order_[i] = 0;
   // Where many points are close to one circle, or u is on the hull, directions hardly differ, and
   // levels tell little. That shows in the size.
-  if (size_ <= 40 + 16 * std::size_t{k}) return true;
+  if (size_ <= 40 + 8 * std::size_t{k}) return true;
   // Exact arithmetic takes the time of so many questions, and asks about so many points.
   constexpr std::size_t kExactCost = 100;
   const std::size_t sample = 8 + 3 * std::size_t{k};

@@ -31,7 +31,7 @@ UsefulEdgeSearches::UsefulEdgeSearches(const DelaunayGraph& graph, Index limit)
     : searches_([this, &graph] {
         return tree_ ? UsefulEdgeSearch(graph, *tree_) : UsefulEdgeSearch(graph);
       }) {
-  if (limit >= UsefulEdgeSearch::kLargeInCrowd || graph.has_hubs()) tree_.emplace(graph.xy);
+  if (limit >= UsefulEdgeSearch::kWithTree || graph.has_hubs()) tree_.emplace(graph.xy);
 }
 
 }  // namespace hodt

@@ -37,13 +37,10 @@ class UsefulEdgeSearch {
         around_(graph),
         large_(std::in_place, graph, tree) {}
 
-  /// Up to here a walk through windows is faster than a set of neighbours, and up to there one that
-  /// knows few points mostly does.
-  static constexpr Index kMostByWindows = 16, kMostByNarrow = 8;
   /// From here on the search for large orders is faster.
   static constexpr Index kLarge = 320;
-  /// And from here on where very many points are near one circle.
-  static constexpr Index kLargeInCrowd = 16;
+  /// For so many the searches may ask a tree.
+  static constexpr Index kWithTree = 16;
 
   /// Lets a search give up, and find nothing, after so many questions (one point against another).
   /// complete() then tells. For orders in the hundreds, without a tree.
@@ -83,41 +80,76 @@ class UsefulEdgeSearch {
       across_one_edge(u, wanted);
     else if (limit >= kLarge && large_)
       by_large_search(u, limit, wanted);
-    else if (limit > 1 && !(limit <= kMostByWindows && through_windows(u, limit, wanted, towards)))
-      beyond_one_edge(u, limit, wanted);
+    else if (limit > 1)
+      beyond_one_edge(u, limit, wanted, towards);
     std::sort(found_.begin(), found_.end(), [](const UsefulEdge& a, const UsefulEdge& b) {
       return a.order != b.order ? a.order < b.order : a.to < b.to;
     });
     return found_;
   }
 
+  /// The walk through windows comes first for small orders. For others the set of neighbours does,
+  /// but where many points are near one circle, or u has very many neighbours, it takes too long.
+  template <class Wanted>
+  void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
+    const bool is_small = limit <= (towards == Towards::all ? kNarrow : 100);
+    if (is_small && through_windows(u, limit, wanted, towards)) return;
+    found_.clear();
+    if (!graph_.is_hub(u)) {
+      const std::size_t worth = is_small ? effort_ : std::min(effort_, crowd_effort(limit));
+      complete_ = around_.gather(u, limit, worth);
+      if (complete_) return among_gathered(limit, wanted);
+      if (worth == effort_) return;
+    }
+    complete_ = true;
+    if (!is_small && through_windows(u, limit, wanted, towards)) return;
+    found_.clear();
+    if (large_) return by_large_search(u, limit, wanted);
+    if (graph_.is_hub(u)) return from_others(u, limit, wanted);
+    complete_ = around_.gather(u, limit, effort_);
+    if (complete_) among_gathered(limit, wanted);
+  }
+
+  /// Where that is so shows soon.
+  static std::size_t crowd_effort(Index limit) { return 200 * std::size_t{limit}; }
+
+  // The walks that mostly do for orders up to that.
+  static constexpr Index kNarrow = 8, kWide = 32;
+
+  /// False, and not all found, if there is too much around u, even for the walk that knows most.
   template <class Wanted>
   bool through_windows(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
-    if (limit <= kMostByNarrow && through(narrow_, u, limit, wanted, towards)) return true;
+    if (limit > kNarrow && towards == Towards::all)  // by halves: what is asked of fewer points
+      return through_windows(u, limit, wanted, Towards::larger) &&
+             through_windows(u, limit, wanted, Towards::smaller);
+    if (limit <= kNarrow && through(narrow_, u, limit, wanted, towards)) return true;
     if (!wide_) wide_.emplace(graph_);
-    if (through(*wide_, u, limit, wanted, towards)) return true;
+    if (limit <= kWide && through(*wide_, u, limit, wanted, towards)) return true;
     if (!widest_) widest_.emplace(graph_);
     return through(*widest_, u, limit, wanted, towards);
   }
 
-  /// False, and nothing found, if there is too much around u.
+  /// False, and nothing more found, if there is too much around u.
   template <class Walk, class Wanted>
   bool through(Walk& walk, VertexId u, Index limit, const Wanted& wanted, Towards towards) {
+    const std::size_t before = found_.size();
+    bool is_known = true;
     walk.begin(u, limit, towards);
-    while (walk.find_next()) {
+    while (is_known && walk.find_next()) {
       const VertexId v = walk.candidate();
-      if (!wanted(v)) continue;
+      const bool is_wanted = wanted(v);
+      // To look at others, too, makes more points known, which ends the walk earlier.
+      if (!is_wanted && limit <= kNarrow) continue;
       Index order = walk.useful_order();
+      if (!is_wanted) continue;
       if (order == kNone && !walk.gave_up() && tree_)
         order = tree_->useful_order(u, v, walk.on_left(), walk.on_right(), limit);
-      if (order == kNone) {
-        found_.clear();
-        return false;
-      }
+      is_known = order != kNone;
       if (order <= limit) found_.push_back({v, order});
     }
-    if (walk.gave_up()) found_.clear();
-    return !walk.gave_up();
+    if (is_known && !walk.gave_up()) return true;
+    found_.resize(before);
+    return false;
   }
 
   /// Corollary 3: an edge of useful order 1 crosses one Delaunay edge, and is its flip.
@@ -132,24 +164,8 @@ class UsefulEdgeSearch {
   }
 
   template <class Wanted>
-  void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted) {
-    // A hub has too many around it to compare them all with each other.
-    if (graph_.is_hub(u)) return from_others(u, limit, wanted);
-    const std::size_t worth = large_ && limit >= kLargeInCrowd ? crowd_effort(limit) : effort_;
-    complete_ = around_.gather(u, limit, std::min(effort_, worth));
-    if (complete_)
-      among_gathered(limit, wanted);
-    else if (worth < effort_)
-      by_large_search(u, limit, wanted);
-  }
-
-  /// About as many questions as the search for large orders takes time for.
-  static std::size_t crowd_effort(Index limit) { return 250'000 + 2'500 * std::size_t{limit}; }
-
-  template <class Wanted>
   void by_large_search(VertexId u, Index limit, const Wanted& wanted) {
     large_->from(u, limit, wanted, [&](VertexId v, Index order) { found_.push_back({v, order}); });
-    complete_ = true;
   }
 
   template <class Wanted>

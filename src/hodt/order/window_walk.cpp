@@ -60,7 +60,7 @@ HODT_INLINE void WindowWalk<kWords>::take_up() {
 template <Index kWords>
 HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
   const bool is_open = (window.inside_left.count() <= k_) & (window.inside_right.count() <= k_) &
-                       // What is between two rays to smaller vertices is smaller itself.
+                       // What is between two rays to larger vertices is larger itself.
                        (is_sought(window.left_ray) | is_sought(window.right_ray)) &
                        window.beyond.valid();
   open_[open_count_] = window;
@@ -276,13 +276,11 @@ HODT_INLINE Index WindowWalk<kWords>::count_across(Index first) {
   for (;;) {
     bool is_known = true;
     rest.for_each([&](Index i) { is_known &= expand(i); });
-    if (!is_known) return kNone;
-    if (!rest.is_empty()) {
-      if (!is_full_) take_up<N>();
-      if (is_full_) return kNone;
+    if (points_.size() < size_ && !is_full_) {
+      take_up<N>();
       candidate_.ray = points_.template split<N>(points_.left_of(v));
-      rest = {};
     }
+    if (is_full_ || !is_known) return kNone;
 
     const auto circle =
         points_.template split<N>(on_left ? points_.inside(v, first) : points_.inside(first, v));
@@ -294,6 +292,7 @@ HODT_INLINE Index WindowWalk<kWords>::count_across(Index first) {
     (perhaps - surely_across).for_each([&](Index i) {
       if (is_here(i) && is_inside(i)) first = i;
     });
+    rest = {};
     if (first != before) continue;
 
     Set inside = circle.in & surely_across;

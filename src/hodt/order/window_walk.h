@@ -12,7 +12,7 @@
 namespace hodt {
 
 /// Where to look for the other ends of edges.
-enum class Towards { all, larger };  // larger: lexicographically larger vertices
+enum class Towards { all, larger, smaller };  // lexicographically
 
 /// Walks outward from u, from triangle to triangle, with the window of directions still in sight,
 /// and ends where too many points are surely inside the circles of Lemma 4 of every vertex that
@@ -81,7 +81,7 @@ class WindowWalk {
   template <Index N>
   HODT_INLINE void take_up();
   bool is_sought(Index place) const {
-    return (towards_ == Towards::all) | points_.is_larger(place);
+    return (towards_ == Towards::all) | (points_.is_larger(place) == (towards_ == Towards::larger));
   }
   const Point& point(Index place) const { return graph_.point(vertices_[place]); }
 
