@@ -92,41 +92,42 @@ class UsefulEdgeSearch {
   /// but where many points are near one circle, or u has very many neighbours, it takes too long.
   template <class Wanted>
   void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
-    const bool is_small = limit <= (towards == Towards::all ? kNarrow : 100);
-    if (is_small && through_windows(u, limit, wanted, towards)) return;
-    found_.clear();
+    const bool windows_first = limit <= (towards == Towards::all ? kNarrow : 100);
+    const bool windows_last = !windows_first && limit < kLarge;
+    if (windows_first && through_windows(u, limit, wanted, towards)) return;
     if (!graph_.is_hub(u)) {
-      const std::size_t worth = is_small ? effort_ : std::min(effort_, crowd_effort(limit));
-      complete_ = around_.gather(u, limit, worth);
+      // Where many points are near one circle questions begin to count, and soon are too many.
+      const std::size_t few = windows_last ? 200 * std::size_t{limit} : effort_;
+      complete_ = around_.gather(u, limit, std::min(effort_, few));
       if (complete_) return among_gathered(limit, wanted);
-      if (worth == effort_) return;
+      if (effort_ <= few) return;
     }
     complete_ = true;
-    if (!is_small && through_windows(u, limit, wanted, towards)) return;
-    found_.clear();
+    if (windows_last && through_windows(u, limit, wanted, towards)) return;
     if (large_) return by_large_search(u, limit, wanted);
     if (graph_.is_hub(u)) return from_others(u, limit, wanted);
     complete_ = around_.gather(u, limit, effort_);
     if (complete_) among_gathered(limit, wanted);
   }
 
-  /// Where that is so shows soon.
-  static std::size_t crowd_effort(Index limit) { return 200 * std::size_t{limit}; }
-
   // The walks that mostly do for orders up to that.
   static constexpr Index kNarrow = 8, kWide = 32;
 
-  /// False, and not all found, if there is too much around u, even for the walk that knows most.
+  /// False, and nothing found, if there is too much around u even for the walk that knows most.
   template <class Wanted>
   bool through_windows(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
-    if (limit > kNarrow && towards == Towards::all)  // by halves: what is asked of fewer points
-      return through_windows(u, limit, wanted, Towards::larger) &&
-             through_windows(u, limit, wanted, Towards::smaller);
-    if (limit <= kNarrow && through(narrow_, u, limit, wanted, towards)) return true;
-    if (!wide_) wide_.emplace(graph_);
-    if (limit <= kWide && through(*wide_, u, limit, wanted, towards)) return true;
-    if (!widest_) widest_.emplace(graph_);
-    return through(*widest_, u, limit, wanted, towards);
+    const auto go = [&](Towards half) {
+      if (limit <= kNarrow && through(narrow_, u, limit, wanted, half)) return true;
+      if (!wide_) wide_.emplace(graph_);
+      if (limit <= kWide && through(*wide_, u, limit, wanted, half)) return true;
+      if (!widest_) widest_.emplace(graph_);
+      return through(*widest_, u, limit, wanted, half);
+    };
+    // Each half needs fewer points than both together.
+    const bool in_halves = limit > kNarrow && towards == Towards::all;
+    const bool is_done = in_halves ? go(Towards::larger) && go(Towards::smaller) : go(towards);
+    if (!is_done) found_.clear();
+    return is_done;
   }
 
   /// False, and nothing more found, if there is too much around u.
