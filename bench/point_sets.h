@@ -89,4 +89,33 @@ inline std::vector<hodt::Point> four_disks(std::size_t n) {
   return points;
 }
 
+/// The corners of a regular polygon, rounded: on a circle as far as doubles can tell.
+inline std::vector<hodt::Point> polygon(std::size_t n) {
+  std::vector<hodt::Point> points(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = 6.283185307179586 * double(i) / double(n);
+    points[i] = {std::cos(a), std::sin(a)};
+  }
+  return points;
+}
+
+/// The same with its centre.
+inline std::vector<hodt::Point> wheel(std::size_t n) {
+  std::vector<hodt::Point> points = polygon(n - 1);
+  points.push_back({0, 0});
+  return points;
+}
+
+/// A hub with all others around it, off a circle by one part in a thousand.
+inline std::vector<hodt::Point> star(std::size_t n) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<hodt::Point> points(n);
+  for (std::size_t i = 1; i < n; ++i) {
+    const double a = 6.283185307179586 * unit(random), radius = 1 + 0.001 * unit(random);
+    points[i] = {radius * std::cos(a), radius * std::sin(a)};
+  }
+  return points;
+}
+
 }  // namespace point_sets

@@ -15,18 +15,6 @@ std::optional<Index> UsefulEdgeSearch::useful_order(VertexId u, VertexId v, Inde
   return found.front().order;
 }
 
-void UsefulEdgeSearch::begin_visit(VertexId first) {
-  is_visited_.assign(graph_.xy.size(), false);
-  visit_.clear();
-  visit(first);
-}
-
-void UsefulEdgeSearch::visit(VertexId v) {
-  if (is_visited_[v]) return;
-  is_visited_[v] = true;
-  visit_.push_back(v);
-}
-
 UsefulEdgeSearches::UsefulEdgeSearches(const DelaunayGraph& graph, Index limit)
     : searches_([this, &graph] {
         return tree_ ? UsefulEdgeSearch(graph, *tree_) : UsefulEdgeSearch(graph);

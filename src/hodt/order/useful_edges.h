@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -95,7 +96,7 @@ class UsefulEdgeSearch {
     const bool windows_first = limit <= (towards == Towards::all ? kNarrow : 100);
     const bool windows_last = !windows_first && limit < kLarge;
     if (windows_first && through_windows(u, limit, wanted, towards)) return;
-    if (!graph_.is_hub(u)) {
+    if (!windows_last || !graph_.is_hub(u)) {
       // Where many points are near one circle questions begin to count, and soon are too many.
       const std::size_t few = windows_last ? 200 * std::size_t{limit} : effort_;
       complete_ = around_.gather(u, limit, std::min(effort_, few));
@@ -105,7 +106,6 @@ class UsefulEdgeSearch {
     complete_ = true;
     if (windows_last && through_windows(u, limit, wanted, towards)) return;
     if (large_) return by_large_search(u, limit, wanted);
-    if (graph_.is_hub(u)) return from_others(u, limit, wanted);
     complete_ = around_.gather(u, limit, effort_);
     if (complete_) among_gathered(limit, wanted);
   }
@@ -134,23 +134,20 @@ class UsefulEdgeSearch {
   template <class Walk, class Wanted>
   bool through(Walk& walk, VertexId u, Index limit, const Wanted& wanted, Towards towards) {
     const std::size_t before = found_.size();
-    bool is_known = true;
     walk.begin(u, limit, towards);
-    while (is_known && walk.find_next()) {
+    while (walk.find_next()) {
       const VertexId v = walk.candidate();
       const bool is_wanted = wanted(v);
       // To look at others, too, makes more points known, which ends the walk earlier.
       if (!is_wanted && limit <= kNarrow) continue;
       Index order = walk.useful_order();
       if (!is_wanted) continue;
-      if (order == kNone && !walk.gave_up() && tree_)
-        order = tree_->useful_order(u, v, walk.on_left(), walk.on_right(), limit);
-      is_known = order != kNone;
+      if (order == kNone && !walk.gave_up())
+        order = tree().useful_order(u, v, walk.on_left(), walk.on_right(), limit);
       if (order <= limit) found_.push_back({v, order});
     }
-    if (is_known && !walk.gave_up()) return true;
-    found_.resize(before);
-    return false;
+    if (walk.gave_up()) found_.resize(before);
+    return !walk.gave_up();
   }
 
   /// Corollary 3: an edge of useful order 1 crosses one Delaunay edge, and is its flip.
@@ -179,45 +176,23 @@ class UsefulEdgeSearch {
       count +=
           static_cast<std::size_t>(around_.least_order(i) <= limit && wanted(around_.vertex(i)));
     }
-    for (std::size_t c = 0; c < count; ++c)
-      add_if_useful(candidates_[c], around_.vertex(candidates_[c]), limit);
-  }
-
-  /// Each of the others finds the edge to the hub u among its own.
-  template <class Wanted>
-  void from_others(VertexId u, Index limit, const Wanted& wanted) {
-    bool other_hubs = false;
-    begin_visit(u);
-    for (std::size_t next = 0; next < visit_.size(); ++next) {
-      const VertexId v = visit_[next];
-      if (graph_.is_hub(v)) {
-        other_hubs |= v != u;
-        graph_.for_each_neighbour(v, [&](VertexId w) { visit(w); });
-        continue;
-      }
-      complete_ = around_.gather(v, limit, effort_);
-      if (!complete_) return found_.clear();
-      const Index i = around_.find(u);
-      if (i == kNone) continue;
-      if (i >= around_.degree() && wanted(v)) add_if_useful(i, v, limit);
-      if (around_.pencil().edge_order(i, limit) < limit)
-        graph_.for_each_onward(v, v, [&](VertexId w) { visit(w); });
+    for (std::size_t c = 0; c < count; ++c) {
+      const Index order = around_.pencil().useful_order(candidates_[c], limit);
+      if (order <= limit) found_.push_back({around_.vertex(candidates_[c]), order});
     }
-    if (!other_hubs) return;
-    complete_ = around_.gather(u, limit, effort_);
-    if (!complete_) return found_.clear();
-    among_gathered(limit, [&](VertexId v) { return graph_.is_hub(v) && wanted(v); });
   }
 
-  void add_if_useful(Index i, VertexId v, Index limit) {
-    const Index order = around_.pencil().useful_order(i, limit);
-    if (order <= limit) found_.push_back({v, order});
+  const PointTree& tree() {
+    if (tree_ == nullptr) {
+      own_tree_ = std::make_unique<PointTree>(graph_.xy);
+      tree_ = own_tree_.get();
+    }
+    return *tree_;
   }
-  void begin_visit(VertexId first);
-  void visit(VertexId v);
 
   const DelaunayGraph& graph_;
   const PointTree* tree_ = nullptr;
+  std::unique_ptr<PointTree> own_tree_;  // if it was given none and needs one
   WindowWalk<1> narrow_;
   // When they are asked for.
   std::optional<WindowWalk<4>> wide_;
@@ -228,8 +203,6 @@ class UsefulEdgeSearch {
   bool complete_ = true;
   std::vector<UsefulEdge> found_;
   std::vector<Index> candidates_;
-  std::vector<VertexId> visit_;  // to be visited from a hub, and visited
-  std::vector<bool> is_visited_;
 };
 
 /// A search for every thread, with a tree if one pays for orders up to `limit`.
