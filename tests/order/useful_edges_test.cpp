@@ -261,6 +261,28 @@ TEST_P(Traps, equal_lemma_4) {
   }
 }
 
+TEST_P(Traps, the_same_in_any_number_of_lanes) {
+  const Delaunay d = delaunay({GetParam().make(), {}});
+  DelaunayGraph graph(d);
+  graph.list_neighbours();
+  const auto all_edges = [&](Index limit) {
+    std::vector<std::tuple<Index, VertexId, Index>> edges;
+    UsefulEdgeSearch search(graph);
+    for (Index u = 0; u < graph.xy.size(); ++u)
+      for (const UsefulEdge& e : search.to_larger(VertexId(u), limit))
+        edges.emplace_back(u, e.to, e.order);
+    return edges;
+  };
+  for (const Index order : {6u, 20u}) {
+    const auto edges = all_edges(order);
+    EXPECT_FALSE(edges.empty());
+    for (const Index lanes : {4u, 8u}) {
+      const LaneLimit limit(lanes);
+      EXPECT_EQ(all_edges(order), edges) << lanes;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Shapes, Traps,
     testing::Values(support::Shape{"star", [] { return around_circle(200, 1e-3, false, true); }},
