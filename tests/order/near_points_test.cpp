@@ -120,9 +120,9 @@ TEST(PlaceSet, is_a_set) {
   for (const Index i : a) in_a |= Places::only(i);
   for (const Index i : b) in_b |= Places::only(i);
   const auto list = [](const Places& places) {
-    std::vector<Index> list;
-    places.for_each([&](Index i) { list.push_back(i); });
-    return list;
+    std::vector<Index> members;
+    places.for_each([&](Index i) { members.push_back(i); });
+    return members;
   };
   std::vector<Index> both, either, rest;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
