@@ -1,7 +1,7 @@
 // All useful edges of point sets that plain searches take quadratic time for, or worse: n doubles,
 // and the time a point should stay the same.
 //
-//   useful_edges_in_traps [--largest 16000] [--threads 1]
+//   traps_vs_n [--largest 16000] [--threads 1]
 #include <cstdio>
 #include <string>
 #include <vector>
