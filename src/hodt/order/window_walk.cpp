@@ -61,7 +61,7 @@ template <Index kWords>
 HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
   const bool is_open = (window.inside_left.count() <= k_) & (window.inside_right.count() <= k_) &
                        // What is between two rays to larger vertices is larger itself.
-                       (is_sought(window.left_ray) | is_sought(window.right_ray)) &
+                       (is_sought(window.sight.left_ray) | is_sought(window.sight.right_ray)) &
                        window.beyond.valid();
   open_[open_count_] = window;
   open_count_ += static_cast<std::size_t>(is_open);
@@ -79,11 +79,7 @@ HODT_INLINE void WindowWalk<kWords>::open_first(HalfEdgeId h) {
   open({.beyond = mesh.twin(TriangleMesh::next(h)),
         .left = left,
         .right = right,
-        .left_ray = left,
-        .right_ray = right,
-        .beyond_left = by_left.in,
-        .within = by_left.out & by_right.in,
-        .beyond_right = by_right.out,
+        .sight = {left, right, by_left.in, by_left.out & by_right.in, by_right.out},
         .inside_left = Set::only(left),
         .inside_right = Set::only(right)});
 }
@@ -98,7 +94,6 @@ HODT_INLINE void WindowWalk<kWords>::begin_at_all() {
   for (Index i = 1; i < degree && size_ <= Set::kMost / 2; ++i) expand(i);
   take_up<N>();
   if (is_full_) return;
-  if (open_.size() < degree) open_.resize(2 * std::size_t{degree});
   const HalfEdgeId start = graph_.outgoing[u_];
   HalfEdgeId h = start;
   do {
@@ -123,30 +118,30 @@ HODT_INLINE void WindowWalk<kWords>::begin_at_next() {
   if (!is_full_) open_first<N>(h);
 }
 
-/// 0 if the point is seen through the window, else +1 or -1: on its left ray or further left, on
+/// 0 if the point is seen, else +1 or -1: on its left ray or further left, on
 /// its right ray or further right.
 template <Index kWords>
-HODT_INLINE int WindowWalk<kWords>::side_of(const Window& window, Index place) const {
-  if (window.within.has(place)) return 0;
-  if (window.beyond_left.has(place)) return 1;
-  if (window.beyond_right.has(place)) return -1;
+HODT_INLINE int WindowWalk<kWords>::side_of(const Sight& sight, Index place) const {
+  if (sight.within.has(place)) return 0;
+  if (sight.beyond_left.has(place)) return 1;
+  if (sight.beyond_right.has(place)) return -1;
   const Point &u = point(0), &p = point(place);
-  if (orient(u, point(window.left_ray), p) >= 0) return 1;
-  return orient(u, point(window.right_ray), p) <= 0 ? -1 : 0;
+  if (orient(u, point(sight.left_ray), p) >= 0) return 1;
+  return orient(u, point(sight.right_ray), p) <= 0 ? -1 : 0;
 }
 
-/// Adds what is inside the circle through u, i and j although rounding leaves it in doubt, until
-/// the window is seen to be no use. Where many points are close to one circle nothing else ends the
-/// walk in time.
+/// Adds what is inside the circle through u and the ends of the edge although rounding leaves it in
+/// doubt, until the window is seen to be no use. Where many points are close to one circle nothing
+/// else ends the walk in time.
 template <Index kWords>
-void WindowWalk<kWords>::look_closer(Window& window, Index i, Index j, const Split& circle) const {
-  const Circle exact(point(0), point(i), point(j));
-  const Set doubtful =
-      Set::first(size_) - circle.in - circle.out - Set::only(0) - Set::only(i) - Set::only(j);
+void WindowWalk<kWords>::look_closer(Window& window, const Split& circle) const {
+  const Circle exact(point(0), point(window.right), point(window.left));
+  const Set doubtful = Set::first(size_) - circle.in - circle.out - Set::only(0) -
+                       Set::only(window.left) - Set::only(window.right);
   bool is_open = std::max(window.inside_left.count(), window.inside_right.count()) <= k_;
   const auto add = [&](const Set& beyond, Set& inside) {
-    Index count = inside.count();
     if (!is_open) return;
+    Index count = inside.count();
     is_open = !((doubtful & beyond) - inside).any_of([&](Index p) {
       if (exact.contains(point(p))) {
         inside |= Set::only(p);
@@ -155,8 +150,8 @@ void WindowWalk<kWords>::look_closer(Window& window, Index i, Index j, const Spl
       return count > k_;
     });
   };
-  add(window.beyond_left, window.inside_left);
-  add(window.beyond_right, window.inside_right);
+  add(window.sight.beyond_left, window.inside_left);
+  add(window.sight.beyond_right, window.inside_right);
 }
 
 /// Goes on to the triangle beyond, with apex w: through its other two edges goes what is on either
@@ -169,43 +164,28 @@ HODT_INLINE void WindowWalk<kWords>::pass(const Window& window) {
   const Index w = place_of(vertex);
   if (w == points_.size()) take_up<N>();
   if (is_full_) return;
-  const auto open_left = [&](Index right_ray, const Set& within, const Set& beyond_right,
-                             const Split& circle) HODT_INLINE_LAMBDA {
-    Window left{.beyond = mesh.twin(TriangleMesh::prev(window.beyond)),
-                .left = window.left,
-                .right = w,
-                .left_ray = window.left_ray,
-                .right_ray = right_ray,
-                .beyond_left = window.beyond_left,
-                .within = within,
-                .beyond_right = beyond_right,
-                .inside_left = window.inside_left | (circle.in & window.beyond_left),
-                .inside_right = window.inside_right | (circle.in & beyond_right) | Set::only(w)};
-    if constexpr (kWords > 1) look_closer(left, w, window.left, circle);
-    open(left);
+  const auto open_through = [&](HalfEdgeId edge, Index left, Index right, const Sight& sight,
+                                const Split& circle) HODT_INLINE_LAMBDA {
+    Window next{
+        .beyond = mesh.twin(edge),
+        .left = left,
+        .right = right,
+        .sight = sight,
+        .inside_left = window.inside_left | (circle.in & sight.beyond_left) | Set::only(left),
+        .inside_right = window.inside_right | (circle.in & sight.beyond_right) | Set::only(right)};
+    if constexpr (kWords > 1) look_closer(next, circle);
+    open(next);
   };
-  const auto open_right = [&](Index left_ray, const Set& beyond_left, const Set& within,
-                              const Split& circle) HODT_INLINE_LAMBDA {
-    Window right{.beyond = mesh.twin(TriangleMesh::next(window.beyond)),
-                 .left = w,
-                 .right = window.right,
-                 .left_ray = left_ray,
-                 .right_ray = window.right_ray,
-                 .beyond_left = beyond_left,
-                 .within = within,
-                 .beyond_right = window.beyond_right,
-                 .inside_left = window.inside_left | (circle.in & beyond_left) | Set::only(w),
-                 .inside_right = window.inside_right | (circle.in & window.beyond_right)};
-    if constexpr (kWords > 1) look_closer(right, window.right, w, circle);
-    open(right);
-  };
-  const int side = side_of(window, w);
+  const HalfEdgeId to_left = TriangleMesh::prev(window.beyond);
+  const HalfEdgeId to_right = TriangleMesh::next(window.beyond);
+  const Sight& sight = window.sight;
+  const int side = side_of(sight, w);
   if (side > 0)
-    return open_right(window.left_ray, window.beyond_left, window.within,
-                      points_.template split<N>(points_.inside(window.right, w)));
+    return open_through(to_right, w, window.right, sight,
+                        points_.template split<N>(points_.inside(window.right, w)));
   if (side < 0)
-    return open_left(window.right_ray, window.within, window.beyond_right,
-                     points_.template split<N>(points_.inside(w, window.left)));
+    return open_through(to_left, window.left, w, sight,
+                        points_.template split<N>(points_.inside(w, window.left)));
 
   const auto [right_circle, left_circle, ray] = points_.template split<N>(std::array{
       points_.inside(window.right, w), points_.inside(w, window.left), points_.left_of(w)});
@@ -213,8 +193,11 @@ HODT_INLINE void WindowWalk<kWords>::pass(const Window& window) {
   const Set inside_left = window.inside_left | (right_circle.in & ray.in);
   if (std::max(inside_left.count(), inside_right.count()) <= k_ && is_sought(w))
     candidate_ = {vertex, w, window.left, window.right, ray};
-  open_left(w, window.within & ray.in, ray.out, left_circle);
-  open_right(w, ray.in, window.within & ray.out, right_circle);
+  open_through(to_left, window.left, w,
+               {sight.left_ray, w, sight.beyond_left, sight.within & ray.in, ray.out}, left_circle);
+  open_through(to_right, w, window.right,
+               {w, sight.right_ray, ray.in, sight.within & ray.out, sight.beyond_right},
+               right_circle);
 }
 
 template <Index kWords>
@@ -252,7 +235,7 @@ bool WindowWalk<kWords>::find_next() {
       pass<N>(window);
     }
   });
-  return candidate_.vertex.valid() && !is_full_;
+  return candidate_.vertex.valid();
 }
 
 /// The points inside the circle through u, the candidate v and the first point on a side, all of

@@ -45,12 +45,16 @@ class WindowWalk {
   using Set = typename Points::Set;
   using Split = typename Points::Split;
 
-  /// What can be seen from u through a Delaunay edge, between two rays. All ends are places.
+  /// What is seen from u between two rays, which end at places.
+  struct Sight {
+    Index left_ray, right_ray;
+    Set beyond_left, within, beyond_right;  // surely outside on that side, or seen
+  };
+  /// A Delaunay edge and what can be seen through it.
   struct Window {
     HalfEdgeId beyond;  // in the triangle across the edge, which is not looked at yet
     Index left, right;  // the ends of the edge
-    Index left_ray, right_ray;
-    Set beyond_left, within, beyond_right;  // surely outside on that side, or seen
+    Sight sight;
     // Surely inside the circle of Lemma 4 through the first point on the other side, whatever is
     // seen through the window.
     Set inside_left, inside_right;
@@ -70,8 +74,8 @@ class WindowWalk {
   template <Index N>
   HODT_INLINE void open_first(HalfEdgeId h);
   HODT_INLINE void open(const Window& window);
-  void look_closer(Window& window, Index i, Index j, const Split& circle) const;
-  HODT_INLINE int side_of(const Window& window, Index place) const;
+  void look_closer(Window& window, const Split& circle) const;
+  HODT_INLINE int side_of(const Sight& sight, Index place) const;
   template <Index N>
   HODT_INLINE void pass(const Window& window);
   template <Index N, Side side>
