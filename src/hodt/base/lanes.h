@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -15,8 +16,8 @@
 #include <immintrin.h>
 #endif
 
-#define HODT_INLINE inline __attribute__((always_inline))
 #define HODT_INLINE_LAMBDA __attribute__((always_inline))
+#define HODT_INLINE inline HODT_INLINE_LAMBDA
 
 namespace hodt {
 
@@ -57,13 +58,7 @@ HODT_INLINE Value fold(const Value* values, const Operation& operation) {
   }
 }
 
-/// The signs of the lanes, a bit each: set for negative ones, and for -0.
-template <Index N>
-HODT_INLINE std::uint64_t signs_one_by_one(const typename Lanes<N>::Floats& lanes) {
-  std::uint64_t bits = 0;
-  for (Index i = 0; i < N; ++i) bits |= std::uint64_t{std::signbit(lanes[i])} << i;
-  return bits;
-}
+// The signs of the lanes, a bit each: set for negative ones, and for -0.
 #if defined(__x86_64__) && defined(__GNUC__)
 // Not forced inline, which may not cross the border between instruction sets; they are inlined all
 // the same.
@@ -78,7 +73,9 @@ inline std::uint64_t signs(const Lanes<4>::Floats& lanes) {
 }
 #else
 inline std::uint64_t signs(const Lanes<4>::Floats& lanes) {
-  return signs_one_by_one<4>(lanes);
+  std::uint64_t bits = 0;
+  for (Index i = 0; i < 4; ++i) bits |= std::uint64_t{std::signbit(lanes[i])} << i;
+  return bits;
 }
 #endif
 

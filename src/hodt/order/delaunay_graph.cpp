@@ -80,7 +80,7 @@ void DelaunayGraph::list_neighbours_if_hubs() {
 void DelaunayGraph::route_around_hubs() {
   const std::size_t n = xy.size();
   Buffer<bool> hub(n);
-  for (Index v = 0; v < n; ++v) hub[v] = lists_.first[v + 1] - lists_.first[v] > kHubDegree;
+  for (Index v = 0; v < n; ++v) hub[v] = lists_.size(VertexId(v)) > kHubDegree;
   // Without the hubs others can turn into hubs; of points on a curve nearly all can, one after the
   // other, which is not worth it.
   constexpr int kMostRounds = 4;

@@ -56,9 +56,7 @@ class DelaunayGraph {
   bool is_hub(VertexId v) const { return !hub_.empty() && hub_[v]; }
   bool has_hubs() const { return !hub_.empty(); }
   /// That is so in the Delaunay triangulation itself; others are hubs where such are left out.
-  bool has_many_neighbours(VertexId v) const {
-    return has_hubs() && lists_.first[v + 1] - lists_.first[v] > kHubDegree;
-  }
+  bool has_many_neighbours(VertexId v) const { return has_hubs() && lists_.size(v) > kHubDegree; }
 
   /// Calls f(w) for the vertices to go on to from v in a search for all points inside a circle that
   /// began at `start`, a point on it: a search that goes on from all that it finds inside finds
@@ -82,6 +80,7 @@ class DelaunayGraph {
     Buffer<Index> first;  // where each list begins
     Buffer<VertexId> vertices;
 
+    Index size(VertexId v) const { return first[v + 1] - first[v]; }
     template <class F>
     void for_each(VertexId v, const F& f) const {
       const Index end = first[v + 1];

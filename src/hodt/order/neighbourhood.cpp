@@ -112,10 +112,4 @@ void Neighbourhood::take_up_reached() {
   if (least_order_.size() < points_.capacity()) least_order_.resize(points_.capacity());
 }
 
-Index Neighbourhood::find(VertexId v) const {
-  for (Index i = 0; i < size_; ++i)
-    if (vertices_[i] == v) return i;
-  return kNone;
-}
-
 }  // namespace hodt

@@ -40,8 +40,6 @@ class Neighbourhood {
   Index size() const { return size_; }
   VertexId vertex(Index i) const { return vertices_[i]; }
   const Point& point(Index i) const { return graph_.point(vertices_[i]); }
-  /// The place of v, or kNone.
-  Index find(VertexId v) const;
   /// The first so many are the Delaunay neighbours.
   Index degree() const { return degree_; }
   /// A proven lower bound of the order of the edge from u.

@@ -94,20 +94,18 @@ class UsefulEdgeSearch {
   template <class Wanted>
   void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
     const bool windows_first = limit <= (towards == Towards::all ? kNarrow : 100);
-    const bool windows_last = !windows_first && limit < kLarge;
     if (windows_first && through_windows(u, limit, wanted, towards)) return;
-    if (!windows_last || !graph_.is_hub(u)) {
+    if (windows_first || limit >= kLarge) return among_neighbours(u, limit, wanted, effort_);
+    if (!graph_.is_hub(u)) {
       // Where many points are near one circle questions begin to count, and soon are too many.
-      const std::size_t few = windows_last ? 200 * std::size_t{limit} : effort_;
-      complete_ = around_.gather(u, limit, std::min(effort_, few));
-      if (complete_) return among_gathered(limit, wanted);
-      if (effort_ <= few) return;
+      const std::size_t few = 200 * std::size_t{limit};
+      among_neighbours(u, limit, wanted, std::min(effort_, few));
+      if (complete_ || effort_ <= few) return;
     }
     complete_ = true;
-    if (windows_last && through_windows(u, limit, wanted, towards)) return;
+    if (through_windows(u, limit, wanted, towards)) return;
     if (large_) return by_large_search(u, limit, wanted);
-    complete_ = around_.gather(u, limit, effort_);
-    if (complete_) among_gathered(limit, wanted);
+    among_neighbours(u, limit, wanted, effort_);
   }
 
   // The walks that mostly do for orders up to that.
@@ -166,8 +164,11 @@ class UsefulEdgeSearch {
     large_->from(u, limit, wanted, [&](VertexId v, Index order) { found_.push_back({v, order}); });
   }
 
+  /// Asks the set of neighbours. Finds nothing if gathering it takes more than `effort`.
   template <class Wanted>
-  void among_gathered(Index limit, const Wanted& wanted) {
+  void among_neighbours(VertexId u, Index limit, const Wanted& wanted, std::size_t effort) {
+    complete_ = around_.gather(u, limit, effort);
+    if (!complete_) return;
     // No branch on what is a matter of chance.
     candidates_.resize(around_.size());
     std::size_t count = 0;
