@@ -18,12 +18,11 @@ HalfEdgeId TriangleMesh::flip(HalfEdgeId h) {
 
 Buffer<HalfEdgeId> outgoing_halfedges(const TriangleMesh& mesh) {
   Buffer<HalfEdgeId> outgoing(mesh.vertex_count(), HalfEdgeId());
-  const Index count = static_cast<Index>(mesh.halfedge_count());
-  for (Index i = 0; i < count; ++i) {
-    const HalfEdgeId h(i);
-    HalfEdgeId& of_origin = outgoing[mesh.origin(h)];
-    if (mesh.is_boundary(h) || !of_origin.valid()) of_origin = h;
-  }
+  // The first of each vertex, and after these what is on the boundary: a branch on whether there is
+  // one already would go the wrong way for every vertex.
+  for (auto i = static_cast<Index>(mesh.halfedge_count()); i-- > 0;)
+    outgoing[mesh.origin(HalfEdgeId(i))] = HalfEdgeId(i);
+  for_each_boundary_halfedge(mesh, [&](HalfEdgeId h) { outgoing[mesh.origin(h)] = h; });
   return outgoing;
 }
 

@@ -32,8 +32,9 @@ class TriangleMesh {
 
   static HalfEdgeId halfedge(TriangleId t) { return HalfEdgeId(3 * t); }
   static TriangleId triangle(HalfEdgeId h) { return TriangleId(h / 3); }
-  static HalfEdgeId next(HalfEdgeId h) { return HalfEdgeId(h % 3 == 2 ? h - 2 : h + 1); }
-  static HalfEdgeId prev(HalfEdgeId h) { return HalfEdgeId(h % 3 == 0 ? h + 2 : h - 1); }
+  // Without branches, which would go the wrong way every third time.
+  static HalfEdgeId next(HalfEdgeId h) { return HalfEdgeId(h + 1 - 3 * Index{h % 3 == 2}); }
+  static HalfEdgeId prev(HalfEdgeId h) { return HalfEdgeId(h - 1 + 3 * Index{h % 3 == 0}); }
 
   VertexId origin(HalfEdgeId h) const { return VertexId(origin_[h]); }
   VertexId target(HalfEdgeId h) const { return origin(next(h)); }
@@ -90,6 +91,13 @@ void for_each_inner_edge(const TriangleMesh& mesh, const F& f) {
     const HalfEdgeId h(i);
     if (!mesh.is_boundary(h) && h < mesh.twin(h)) f(h);
   }
+}
+
+/// Calls f(h) for every half-edge on the boundary, ascending.
+template <class F>
+void for_each_boundary_halfedge(const TriangleMesh& mesh, const F& f) {
+  for (Index i = 0; i < mesh.halfedge_count(); ++i)
+    if (mesh.is_boundary(HalfEdgeId(i))) f(HalfEdgeId(i));
 }
 
 /// Calls f(h) for every half-edge that leaves the origin of `start`, counter-clockwise; `start` as

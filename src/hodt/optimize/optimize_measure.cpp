@@ -30,8 +30,8 @@ class Optimizer {
         values_(problem.objective, graph_.xy, problem.z),
         is_sum_(problem.objective.aggregate == Aggregate::sum) {
     solution_.mesh = graph_.mesh;
-    each_ = values_.of_each(graph_.mesh);
-    solution_.delaunay = values_.of(graph_.mesh, each_);
+    ranks_ = values_.ranks(graph_.mesh);
+    solution_.delaunay = values_.of(graph_.mesh, ranks_);
   }
 
   MeasuredSolution run() && {
@@ -39,8 +39,8 @@ class Optimizer {
       flip_quadrilaterals();
     else if (problem_.order > 1)
       solve_faces();
-    if (problem_.order > 1) each_ = values_.of_each(solution_.mesh);
-    solution_.result = values_.of(solution_.mesh, each_);
+    if (problem_.order > 1) ranks_ = values_.ranks(solution_.mesh);
+    solution_.result = values_.of(solution_.mesh, ranks_);
     // Each face lost as much as that, or nothing.
     solution_.bound = is_sum_ ? solution_.result - gap_ : values_.combine(bound_, fixed_);
     if (problem_.order <= 1) solution_.bound = solution_.result;
@@ -50,24 +50,36 @@ class Optimizer {
  private:
   /// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere.
   void flip_quadrilaterals() {
-    const auto is_better = [&](HalfEdgeId h) { return is_better_flipped(h); };
-    for (const HalfEdgeId h : first_order_edges(graph_, is_better)) {
-      const HalfEdgeId diagonal = solution_.mesh.flip(h);
-      for (const HalfEdgeId side : {diagonal, solution_.mesh.twin(diagonal)}) {
-        const auto [a, b, c] = solution_.mesh.corners(TriangleMesh::triangle(side));
-        each_[TriangleMesh::triangle(side)] = values_.of(a, b, c);
-      }
+    const auto keep_gains = [&](std::span<HalfEdgeId> edges) { return keep_better_flipped(edges); };
+    const std::vector<HalfEdgeId> edges = first_order_edges(graph_, keep_gains);
+    std::vector<double> left(edges.size()), right(edges.size());
+    values_.ranks_flipped(graph_.mesh, edges, left.data(), right.data());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const HalfEdgeId h = edges[i];
+      ranks_[TriangleMesh::triangle(h)] = left[i];
+      ranks_[TriangleMesh::triangle(graph_.mesh.twin(h))] = right[i];
+      solution_.mesh.flip(h);
     }
   }
 
-  bool is_better_flipped(HalfEdgeId h) const {
+  /// Moves the edges whose flips gain to the front, and returns how many they are.
+  std::size_t keep_better_flipped(std::span<HalfEdgeId> edges) const {
     const TriangleMesh& mesh = graph_.mesh;
-    const HalfEdgeId twin = mesh.twin(h);
-    const VertexId a = mesh.origin(h), b = mesh.target(h);
-    const VertexId c = mesh.apex(h), d = mesh.apex(twin);
-    return values_.better_pair(values_.of(a, d, c), values_.of(b, c, d),
-                               each_[TriangleMesh::triangle(h)],
-                               each_[TriangleMesh::triangle(twin)]);
+    std::array<double, kMostFirstOrderEdges> left, right, left_now, right_now;
+    std::array<bool, kMostFirstOrderEdges> is_better;
+    values_.ranks_flipped(mesh, edges, left.data(), right.data());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      left_now[i] = ranks_[TriangleMesh::triangle(edges[i])];
+      right_now[i] = ranks_[TriangleMesh::triangle(mesh.twin(edges[i]))];
+    }
+    values_.better_pairs(edges.size(), left.data(), right.data(), left_now.data(), right_now.data(),
+                         is_better.data());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      edges[kept] = edges[i];
+      kept += std::size_t{is_better[i]};
+    }
+    return kept;
   }
 
   void solve_faces();
@@ -98,7 +110,7 @@ class Optimizer {
   const TriangleValues values_;
   const bool is_sum_;
   MeasuredSolution solution_;
-  Buffer<double> each_;                  // the values of its triangles
+  Buffer<double> ranks_;                 // of its triangles
   double gap_ = 0;                       // of sums
   double bound_ = values_.neutral();     // of the others: of the faces
   double fixed_ = values_.neutral();     // and of the triangles that are always there

@@ -9,7 +9,8 @@ void CircleCounter::begin_round() {
   round_ = 1;
 }
 
-Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit) {
+Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
+                           VertexId perhaps_inside) {
   begin_round();
   // The three are on the circle: to ask would send each to exact arithmetic, for a known answer.
   for (const VertexId v : {a, b, c}) first_visit(v);
@@ -19,9 +20,13 @@ Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit) {
       inside_.push_back(w);
   };
   // Past hubs, if there is a corner that is none to begin with.
-  const VertexId start = !graph_.is_hub(a) ? a : !graph_.is_hub(b) ? b : c;
+  VertexId start = !graph_.is_hub(a) ? a : !graph_.is_hub(b) ? b : c;
   const auto go_on_from = [&](VertexId v) { graph_.for_each_onward(v, start, visit); };
-  go_on_from(start);
+  if (perhaps_inside.valid() && !graph_.is_hub(perhaps_inside)) visit(perhaps_inside);
+  if (inside_.empty())
+    go_on_from(start);
+  else
+    start = inside_.front();
   for (std::size_t i = 0; i < inside_.size() && inside_.size() <= limit; ++i)
     go_on_from(inside_[i]);
   return static_cast<Index>(inside_.size());

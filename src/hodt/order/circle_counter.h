@@ -13,17 +13,18 @@ namespace hodt {
 inline constexpr Index kUnlimited = kNone - 1;
 
 /// Counts by searching outward: in the Delaunay graph, the points inside a circle together with
-/// any one point on it are connected. (Lifted to the paraboloid they are the vertices of a convex
-/// surface below a plane, and from each of them a path along edges leads ever further below it, to
-/// the lowest; the perturbation changes nothing about this.) So a count costs the neighbours of
-/// what it finds. Holds scratch memory for one thread.
+/// any one point on it are connected, and so are they alone. (Lifted to the paraboloid they are the
+/// vertices of a convex surface below a plane, and from each of them a path along edges leads ever
+/// further below it, to the lowest; the perturbation changes nothing about this.) So a count costs
+/// the neighbours of what it finds. Holds scratch memory for one thread.
 class CircleCounter {
  public:
   explicit CircleCounter(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size(), 0) {}
 
   /// The number of points inside the circle through a, b and c (counter-clockwise), or limit + 1 if
   /// there are more than `limit`: the order of the triangle abc.
-  Index count(VertexId a, VertexId b, VertexId c, Index limit);
+  /// A vertex that turns out to be inside makes a search from there of it, which is shorter.
+  Index count(VertexId a, VertexId b, VertexId c, Index limit, VertexId perhaps_inside = {});
 
   /// The points that the last count found, at most limit + 1 of them.
   std::span<const VertexId> inside() const { return inside_; }

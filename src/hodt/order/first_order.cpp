@@ -45,7 +45,7 @@ enum Corner { kS, kY, kV, kU, kBeyondSV, kBeyondVY, kBeyondYU, kBeyondUS, kCorne
 class Batch {
  public:
   /// No power of two: the columns would compete for the same places of the cache.
-  static constexpr std::size_t kSize = 248;
+  static constexpr std::size_t kSize = kMostFirstOrderEdges;
   enum Verdict { kNo, kPerhaps, kNearestOutside };
 
   /// Requires edges with triangles on both sides, kSize at most.
@@ -162,7 +162,7 @@ bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
 }
 
 std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
-                                          const std::function<bool(HalfEdgeId)>& wanted) {
+                                          const KeepWanted& keep_wanted) {
   const TriangleMesh& mesh = graph.mesh;
   const auto find = [&](std::size_t first, std::size_t last, std::vector<HalfEdgeId>& found) {
     Batch batch;
@@ -174,10 +174,11 @@ std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
         edges[size] = h;
         size += std::size_t(!mesh.is_boundary(h)) & std::size_t(h < mesh.twin(h));
       }
+      if (keep_wanted) size = keep_wanted({edges.data(), size});
       batch.judge(graph, {edges.data(), size});
       for (std::size_t i = 0; i < size; ++i) {
         const Batch::Verdict verdict = batch.verdict(i);
-        if (verdict == Batch::kNo || (wanted && !wanted(edges[i]))) continue;
+        if (verdict == Batch::kNo) continue;
         if (verdict == Batch::kNearestOutside ? is_flippable_beyond_nearest(graph, edges[i])
                                               : is_first_order_flippable(graph, edges[i]))
           found.push_back(edges[i]);

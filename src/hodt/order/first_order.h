@@ -1,7 +1,9 @@
 // The structure of first-order Delaunay triangulations (Section 4 of the paper).
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "hodt/order/delaunay_graph.h"
@@ -13,9 +15,14 @@ namespace hodt {
 /// All other edges are fixed: they are in every triangulation of order 1.
 bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h);
 
+/// Moves those of the edges that are wanted to the front, in their order, and returns how many they
+/// are. Several threads may call it at once, each with kMostFirstOrderEdges at most.
+using KeepWanted = std::function<std::size_t(std::span<HalfEdgeId>)>;
+inline constexpr std::size_t kMostFirstOrderEdges = 248;
+
 /// The flippable edges, one half-edge each (the smaller of the two), ascending; of these the ones
-/// that are wanted, which several threads may ask at once. O(n).
+/// that are wanted, which is asked about all inner edges. O(n).
 std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
-                                          const std::function<bool(HalfEdgeId)>& wanted = {});
+                                          const KeepWanted& keep_wanted = {});
 
 }  // namespace hodt

@@ -1,9 +1,23 @@
 #include "hodt/order/triangulation_order.h"
 
+#include <algorithm>
+#include <array>
+
 #include "hodt/base/parallel.h"
 #include "hodt/order/circle_counter.h"
 
 namespace hodt {
+
+namespace {
+
+/// A corner that the first triangle has and the second one not.
+VertexId lost_corner(const std::array<VertexId, 3>& before, const std::array<VertexId, 3>& after) {
+  for (const VertexId v : before)
+    if (std::find(after.begin(), after.end(), v) == after.end()) return v;
+  return {};
+}
+
+}  // namespace
 
 std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const TriangleMesh& mesh) {
   std::vector<TriangleId> changed;
@@ -16,8 +30,11 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
   parallel_for(0, changed.size(), 256, [&](std::size_t first, std::size_t last) {
     CircleCounter& counter = counters.mine();
     for (std::size_t i = first; i < last; ++i) {
-      const auto [a, b, c] = mesh.corners(changed[i]);
-      orders[i] = counter.count(a, b, c, kUnlimited);
+      const std::array<VertexId, 3> corners = mesh.corners(changed[i]);
+      const auto [a, b, c] = corners;
+      // A flip's triangle has the corner in its circle that its place had before.
+      orders[i] =
+          counter.count(a, b, c, kUnlimited, lost_corner(graph.mesh.corners(changed[i]), corners));
     }
   });
 
