@@ -2,53 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
+#include "hodt/base/parallel.h"
+#include "hodt/optimize/angle.h"
 #include "hodt/optimize/measures.h"
 
 namespace hodt {
 
-/// Of the plane through the three points.
-EdgeValues::Gradient EdgeValues::gradient(VertexId a, VertexId b, VertexId c) const {
+EdgeValues::Gradient EdgeValues::gradient(VertexId u, VertexId v, VertexId w) const {
+  // Sorted without branches.
+  const Index a = std::min({u, v, w}), c = std::max({u, v, w}), b = u ^ v ^ w ^ a ^ c;
   const double bx = xy_[b].x - xy_[a].x, by = xy_[b].y - xy_[a].y, bz = z_[b] - z_[a];
   const double cx = xy_[c].x - xy_[a].x, cy = xy_[c].y - xy_[a].y, cz = z_[c] - z_[a];
   const double area = bx * cy - by * cx;
   return {(bz * cy - by * cz) / area, (bx * cz - bz * cx) / area};
 }
 
-double EdgeValues::of(VertexId a, VertexId b, VertexId c, VertexId d) const {
-  if (b < a) {
-    std::swap(a, b);
-    std::swap(c, d);
-  }
-  constexpr double kDegrees = 180 / std::numbers::pi;
-  const Gradient f = gradient(a, b, c), g = gradient(b, a, d);
+Buffer<EdgeValues::Gradient> EdgeValues::gradients(const TriangleMesh& mesh) const {
+  Buffer<Gradient> all(mesh.triangle_count());
+  parallel_for(0, all.size(), 1 << 14, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const auto [a, b, c] = mesh.corners(TriangleId(Index(t)));
+      all[t] = gradient(a, b, c);
+    }
+  });
+  return all;
+}
+
+double EdgeValues::across(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
   const double x = xy_[b].x - xy_[a].x, y = xy_[b].y - xy_[a].y;
-  const double length = std::sqrt(x * x + y * y);
+  const auto length = [&] { return std::sqrt(x * x + y * y); };
   const auto angle = [&] {
     // Of the normals (-f, 1) and (-g, 1): their cross product is (g.y - f.y, f.x - g.x, f × g).
     const double cross = f.x * g.y - f.y * g.x, u = g.y - f.y, v = f.x - g.x;
-    return kDegrees *
-           std::atan2(std::sqrt(u * u + v * v + cross * cross), f.x * g.x + f.y * g.y + 1);
+    return degrees(std::sqrt(u * u + v * v + cross * cross), f.x * g.x + f.y * g.y + 1);
   };
   switch (objective().measure) {
     case Measure::abn:
       return finite(angle());
     case Measure::wabn:
-      return finite(length * angle());
+      return finite(length() * angle());
     case Measure::jnd:
-      return finite(std::fabs((f.x - g.x) * y - (f.y - g.y) * x) / length);
+      return finite(std::fabs((f.x - g.x) * y - (f.y - g.y) * x) / length());
     default:
       return 0;  // of triangles
   }
 }
 
 double EdgeValues::of(const TriangleMesh& mesh) const {
+  const Buffer<Gradient> all = gradients(mesh);
   double value = neutral();
   bool any = false;
   for_each_inner_edge(mesh, [&](HalfEdgeId h) {
-    value = combine(value, of(mesh, h));
+    value = combine(value, across(mesh.origin(h), mesh.target(h), all[TriangleMesh::triangle(h)],
+                                  all[TriangleMesh::triangle(mesh.twin(h))]));
     any = true;
   });
   return any ? value : 0;

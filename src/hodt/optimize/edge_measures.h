@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "hodt/base/buffer.h"
 #include "hodt/geometry/point.h"
 #include "hodt/mesh/triangle_mesh.h"
 #include "hodt/optimize/combination.h"
@@ -17,9 +18,21 @@ class EdgeValues : public Combination {
   EdgeValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z)
       : Combination(objective), xy_(xy), z_(z) {}
 
-  /// The value of the edge ab with the triangles abc, on the left, and bad; never negative, at most
+  /// The gradient of the plane through three points: the same bits whatever corner comes first.
+  struct Gradient {
+    double x, y;
+  };
+  Gradient gradient(VertexId a, VertexId b, VertexId c) const;
+  /// Those of all triangles of a mesh.
+  Buffer<Gradient> gradients(const TriangleMesh& mesh) const;
+
+  /// The value of the edge ab between triangles with these gradients; never negative, at most
   /// 1e150. The same bits from either side.
-  double of(VertexId a, VertexId b, VertexId c, VertexId d) const;
+  double across(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const;
+  /// The same with the triangles abc, on the left, and bad.
+  double of(VertexId a, VertexId b, VertexId c, VertexId d) const {
+    return across(a, b, gradient(a, b, c), gradient(b, a, d));
+  }
   /// The same of an edge of a mesh that is not on the boundary.
   double of(const TriangleMesh& mesh, HalfEdgeId h) const {
     return of(mesh.origin(h), mesh.target(h), mesh.apex(h), mesh.apex(mesh.twin(h)));
@@ -28,11 +41,6 @@ class EdgeValues : public Combination {
   double of(const TriangleMesh& mesh) const;
 
  private:
-  struct Gradient {
-    double x, y;
-  };
-  Gradient gradient(VertexId a, VertexId b, VertexId c) const;
-
   std::span<const Point> xy_;
   std::span<const double> z_;
 };

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
+#include "hodt/optimize/angle.h"
 
 namespace hodt {
 
@@ -66,16 +66,6 @@ struct Lengths {
   }
   HODT_INLINE double perimeter() const { return longest + (middle + shortest); }
 };
-
-double degrees(double cross, double dot) {
-  return 180 / std::numbers::pi * std::atan2(cross, dot);
-}
-
-/// Of half the angle.
-HODT_INLINE double half_tangent(double cross, double dot) {
-  const double cotangent = dot / cross, root = std::sqrt(1 + cotangent * cotangent);
-  return cotangent > 0 ? 1 / (root + cotangent) : root - cotangent;
-}
 
 using P = const Point&;
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/optimize/choices.h"
 #include "hodt/optimize/edge_measures.h"
@@ -27,26 +28,37 @@ class Optimizer {
         delaunay_(problem.graph.mesh),
         values_(problem.objective, graph_.xy, problem.z) {
     solution_.mesh = delaunay_;
-    solution_.delaunay = values_.of(delaunay_);
-    solution_.bound = solution_.delaunay;
   }
 
   MeasuredSolution run() && {
-    if (problem_.order > 0) choose_diagonals();
+    choose_diagonals();
     if (problem_.order > 1) {
       improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
+      solution_.result = values_.of(solution_.mesh);
       solution_.bound = bound_of_pairs();
     }
-    solution_.result = values_.of(solution_.mesh);
     // By sums that are rounded in another order.
     if (values_.better(solution_.result, solution_.bound)) solution_.bound = solution_.result;
     return std::move(solution_);
   }
 
  private:
+  using Gradient = EdgeValues::Gradient;
+  /// Two Delaunay triangles with an edge that can be flipped, and what is there after the flip.
+  struct Quadrilateral {
+    HalfEdgeId diagonal;
+    Gradient at_origin, at_target;  // of the triangles that keep one of its ends
+  };
+  /// What an edge costs for each choice of the quadrilaterals on its left and right, if any.
+  struct EdgeCosts {
+    Index left, right;
+    std::array<SingleCosts, 2> costs;  // [left][right]
+  };
   void choose_diagonals();
-  void add_edge(HalfEdgeId h, Choices& choices, double& constant) const;
-  VertexId other_apex(HalfEdgeId side) const;
+  void find_quadrilaterals();
+  double add_costs(Choices& choices) const;
+  EdgeCosts costs_of(HalfEdgeId h) const;
+  const Gradient& other_gradient(HalfEdgeId side) const;
   double bound_of_pairs() const;
 
   const MeasureProblem& problem_;
@@ -54,58 +66,98 @@ class Optimizer {
   const TriangleMesh& delaunay_;
   const EdgeValues values_;
   MeasuredSolution solution_;
-  std::vector<HalfEdgeId> diagonals_;  // of the quadrilaterals
-  Buffer<Index> quadrilateral_;        // of a triangle, or kNone
+  Buffer<Gradient> gradients_;  // of the triangles
+  std::vector<Quadrilateral> quadrilaterals_;
+  Buffer<Index> quadrilateral_;  // of a triangle, or kNone
 };
 
-void Optimizer::choose_diagonals() {
-  diagonals_ = first_order_edges(graph_);
+void Optimizer::find_quadrilaterals() {
+  gradients_ = values_.gradients(delaunay_);
   quadrilateral_ = Buffer<Index>(delaunay_.triangle_count(), kNone);
-  Choices choices(values_, static_cast<Index>(diagonals_.size()));
-  for (Index q = 0; q < diagonals_.size(); ++q) {
-    const HalfEdgeId h = diagonals_[q], twin = delaunay_.twin(h);
-    quadrilateral_[TriangleMesh::triangle(h)] = quadrilateral_[TriangleMesh::triangle(twin)] = q;
-    choices.add(q,
-                {values_.of(delaunay_, h), values_.of(delaunay_.apex(twin), delaunay_.apex(h),
-                                                      delaunay_.origin(h), delaunay_.target(h))});
+  if (problem_.order == 0) return;
+  for (const HalfEdgeId h : first_order_edges(graph_)) {
+    const HalfEdgeId twin = delaunay_.twin(h);
+    const VertexId a = delaunay_.origin(h), b = delaunay_.target(h);
+    const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
+    quadrilateral_[TriangleMesh::triangle(h)] = quadrilateral_[TriangleMesh::triangle(twin)] =
+        static_cast<Index>(quadrilaterals_.size());
+    quadrilaterals_.push_back({h, values_.gradient(a, d, c), values_.gradient(b, c, d)});
   }
+}
+
+/// Returns what the edges cost that depend on no choice.
+double Optimizer::add_costs(Choices& choices) const {
   double constant = values_.neutral();
-  for_each_inner_edge(delaunay_, [&](HalfEdgeId h) { add_edge(h, choices, constant); });
+  const auto find = [&](std::size_t first, std::size_t last, std::vector<EdgeCosts>& found) {
+    found.reserve((last - first) / 2 + 1);
+    for (std::size_t i = first; i < last; ++i)
+      if (const HalfEdgeId h{Index(i)}; !delaunay_.is_boundary(h) && h < delaunay_.twin(h))
+        found.push_back(costs_of(h));
+  };
+  const auto add = [&](const std::vector<EdgeCosts>& edges) {
+    for (const auto& [left, right, costs] : edges) {
+      if (left == kNone && right == kNone)
+        constant = values_.combine(constant, costs[0][0]);
+      else if (right == kNone || left == right)
+        choices.add(left, {costs[0][0], costs[1][0]});
+      else if (left == kNone)
+        choices.add(right, costs[0]);
+      else
+        choices.add(left, right, costs);
+    }
+  };
+  // Pieces that stay in the cache.
+  parallel_stream<EdgeCosts>(0, delaunay_.halfedge_count(), 1 << 16, 1 << 13, find, add);
+  return constant;
+}
+
+void Optimizer::choose_diagonals() {
+  find_quadrilaterals();
+  Choices choices(values_, static_cast<Index>(quadrilaterals_.size()));
+  const double constant = add_costs(choices);
   const Choices::Result best = choices.best();
-  for (Index q = 0; q < diagonals_.size(); ++q)
-    if (best.chosen[q]) solution_.mesh.flip(diagonals_[q]);
-  solution_.bound = values_.combine(constant, best.bound);
-  if (!std::isfinite(solution_.bound)) solution_.bound = 0;  // no inner edge
+  for (Index q = 0; q < quadrilaterals_.size(); ++q)
+    if (best.chosen[q]) solution_.mesh.flip(quadrilaterals_[q].diagonal);
+  const auto in_all = [&](double cost_of_choices) {
+    const double value = values_.combine(constant, cost_of_choices);
+    return std::isfinite(value) ? value : 0;  // no inner edge
+  };
+  solution_.delaunay = in_all(choices.value(std::vector<bool>(best.chosen.size(), false)));
+  solution_.result = in_all(choices.value(best.chosen));
+  solution_.bound = in_all(best.bound);
 }
 
-/// The corner opposite to the side of a quadrilateral when its other diagonal is taken: the one
-/// beyond the diagonal.
-VertexId Optimizer::other_apex(HalfEdgeId side) const {
-  const HalfEdgeId h = diagonals_[quadrilateral_[TriangleMesh::triangle(side)]];
-  const bool is_left = TriangleMesh::triangle(h) == TriangleMesh::triangle(side);
-  return is_left ? delaunay_.apex(delaunay_.twin(h)) : delaunay_.apex(h);
+/// At the side of a quadrilateral when its other diagonal is taken: of the triangle with the end of
+/// the diagonal that the side has, too.
+const Optimizer::Gradient& Optimizer::other_gradient(HalfEdgeId side) const {
+  const Quadrilateral& q = quadrilaterals_[quadrilateral_[TriangleMesh::triangle(side)]];
+  const VertexId origin = delaunay_.origin(q.diagonal);
+  const bool has_origin = delaunay_.origin(side) == origin || delaunay_.target(side) == origin;
+  return has_origin ? q.at_origin : q.at_target;
 }
 
-void Optimizer::add_edge(HalfEdgeId h, Choices& choices, double& constant) const {
+Optimizer::EdgeCosts Optimizer::costs_of(HalfEdgeId h) const {
   const HalfEdgeId twin = delaunay_.twin(h);
-  const Index left = quadrilateral_[TriangleMesh::triangle(h)];
-  const Index right = quadrilateral_[TriangleMesh::triangle(twin)];
-  if (left != kNone && left == right) return;  // its diagonal
+  const TriangleId left_triangle = TriangleMesh::triangle(h);
+  const TriangleId right_triangle = TriangleMesh::triangle(twin);
   const VertexId a = delaunay_.origin(h), b = delaunay_.target(h);
-  const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
-  const VertexId other_c = left == kNone ? c : other_apex(h);
-  const VertexId other_d = right == kNone ? d : other_apex(twin);
-  const double value = values_.of(a, b, c, d);
-  if (left == kNone && right == kNone)
-    constant = values_.combine(constant, value);
-  else if (right == kNone)
-    choices.add(left, {value, values_.of(a, b, other_c, d)});
-  else if (left == kNone)
-    choices.add(right, {value, values_.of(a, b, c, other_d)});
-  else
-    choices.add(left, right,
-                {{{value, values_.of(a, b, c, other_d)},
-                  {values_.of(a, b, other_c, d), values_.of(a, b, other_c, other_d)}}});
+  const Gradient &f = gradients_[left_triangle], &g = gradients_[right_triangle];
+  EdgeCosts edge{quadrilateral_[left_triangle], quadrilateral_[right_triangle], {}};
+  auto& costs = edge.costs;
+  costs[0][0] = values_.across(a, b, f, g);
+  if (edge.left != kNone && edge.left == edge.right) {  // its diagonal, or the other one
+    const Quadrilateral& q = quadrilaterals_[edge.left];
+    const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
+    costs[1][0] = values_.across(c, d, q.at_origin, q.at_target);
+    return edge;
+  }
+  const bool is_left_open = edge.left != kNone, is_right_open = edge.right != kNone;
+  const Gradient& other_f = is_left_open ? other_gradient(h) : f;
+  const Gradient& other_g = is_right_open ? other_gradient(twin) : g;
+  if (is_left_open) costs[1][0] = values_.across(a, b, other_f, g);
+  if (is_right_open) costs[0][1] = values_.across(a, b, f, other_g);
+  if (is_left_open && is_right_open) costs[1][1] = values_.across(a, b, other_f, other_g);
+  return edge;
 }
 
 /// Every fixed edge is in, with two of the valid triangles at it; and so many others, each at best

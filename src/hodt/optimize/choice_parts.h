@@ -1,0 +1,31 @@
+// The best of many choices that all depend on each other: one part of a ChoiceGraph.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hodt/optimize/choice_graph.h"
+
+namespace hodt {
+
+/// Choices in a part, by their places in it, and what no choices can better.
+struct PartChoices {
+  std::vector<bool> chosen;
+  double bound;
+  bool is_best;  // the bound is met, but for rounding
+};
+
+/// Exact for any objective, by eliminating the choices one after another (dynamic programming along
+/// a tree decomposition). Nothing if that would take tables of more than 2^14 costs.
+std::optional<PartChoices> choose_by_tables(const ChoiceGraph& graph, std::span<const Index> part);
+
+/// For sums: choices that exchange messages until they agree (sequential reweighted message
+/// passing, Kolmogorov 2015), and a bound, which is mostly met.
+PartChoices choose_by_messages(const ChoiceGraph& graph, std::span<const Index> part);
+
+/// For largest and smallest values, exact: whether all costs can be within a limit is a question
+/// for 2-satisfiability.
+PartChoices choose_by_limits(const ChoiceGraph& graph, std::span<const Index> part);
+
+}  // namespace hodt
