@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "hodt/optimize/measures.h"
+#include "hodt/base/ids.h"
+#include "hodt/optimize/combination.h"
 
 namespace hodt {
 

@@ -70,7 +70,7 @@ double enough(const FaceProblem& face) {
 }
 
 FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face,
-                      const TriangleValues& values) {
+                      const Combination& values) {
   const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
   // A triangle that costs more than all of a triangulation at hand is never worth it, however much
   // more, and a sliver's circumradius would spoil the scale.
@@ -87,7 +87,7 @@ FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face,
 }
 
 /// Values from best to worst, each once.
-std::vector<double> values_best_first(const FaceProblem& face, const TriangleValues& values) {
+std::vector<double> values_best_first(const FaceProblem& face, const Combination& values) {
   std::vector<double> all;
   for (const FaceTriangle& t : face.triangles) all.push_back(t.value);
   std::sort(all.begin(), all.end(), [&](double a, double b) { return values.better(a, b); });
@@ -98,7 +98,7 @@ std::vector<double> values_best_first(const FaceProblem& face, const TriangleVal
 /// The worst value counts: bisects for the least bad one that a triangulation can do with. That
 /// there is none without a worse triangle is proven by a bound above zero on their number.
 FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
-                        const TriangleValues& values) {
+                        const Combination& values) {
   constexpr double kSomeAreWorse = 1e-6;
   const std::vector<double> candidates = values_best_first(face, values);
   std::size_t first = 0, last = candidates.size() - 1;  // all below `first` are proven too good
@@ -140,7 +140,7 @@ FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
 
 /// The best value counts: any triangle that some triangulation has.
 FaceSolution best_best(BinaryProgram& program, const FaceProblem& face,
-                       const TriangleValues& values) {
+                       const Combination& values) {
   Index best = 0;
   for (Index t = 1; t < face.triangles.size(); ++t)
     if (values.better(face.triangles[t].value, face.triangles[best].value)) best = t;
@@ -151,7 +151,7 @@ FaceSolution best_best(BinaryProgram& program, const FaceProblem& face,
 
 }  // namespace
 
-FaceSolution solve_face_program(const FaceProblem& face, const TriangleValues& values,
+FaceSolution solve_face_program(const FaceProblem& face, const Combination& values,
                                 const Deadline& deadline, std::size_t most_programs) {
   BinaryProgram program(rows_of(face), face.size, deadline, most_programs);
   const Objective& objective = values.objective();

@@ -16,7 +16,7 @@ namespace hodt {
 ///
 /// The bound is valid always; `chosen` is empty if the deadline, or `most_programs` for one vector
 /// of costs, came before a triangulation.
-FaceSolution solve_face_program(const FaceProblem& face, const TriangleValues& values,
+FaceSolution solve_face_program(const FaceProblem& face, const Combination& values,
                                 const Deadline& deadline, std::size_t most_programs);
 
 }  // namespace hodt

@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "hodt/base/parallel.h"
-#include "hodt/geometry/predicates.h"
 #include "hodt/optimize/choices.h"
+#include "hodt/optimize/edge_bound.h"
 #include "hodt/optimize/edge_measures.h"
 #include "hodt/optimize/flips.h"
 #include "hodt/order/first_order.h"
-#include "hodt/order/fixed_edges.h"
-#include "hodt/order/triangles.h"
 
 namespace hodt {
 
@@ -32,11 +30,7 @@ class Optimizer {
 
   MeasuredSolution run() && {
     choose_diagonals();
-    if (problem_.order > 1) {
-      improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
-      solution_.result = values_.of(solution_.mesh);
-      solution_.bound = bound_of_pairs();
-    }
+    if (problem_.order > 1) improve_on_first_order();
     // By sums that are rounded in another order.
     if (values_.better(solution_.result, solution_.bound)) solution_.bound = solution_.result;
     return std::move(solution_);
@@ -59,7 +53,7 @@ class Optimizer {
   double add_costs(Choices& choices) const;
   EdgeCosts costs_of(HalfEdgeId h) const;
   const Gradient& other_gradient(HalfEdgeId side) const;
-  double bound_of_pairs() const;
+  void improve_on_first_order();
 
   const MeasureProblem& problem_;
   const DelaunayGraph& graph_;
@@ -160,58 +154,23 @@ Optimizer::EdgeCosts Optimizer::costs_of(HalfEdgeId h) const {
   return edge;
 }
 
-/// Every fixed edge is in, with two of the valid triangles at it; and so many others, each at best
-/// as good as the best of all.
-double Optimizer::bound_of_pairs() const {
-  struct Use {
-    Index low, high;
-    bool is_left;  // of low -> high
-    VertexId apex;
-    auto key() const { return std::tuple(low, high); }
+/// By flips, from there and from what the bound suggests.
+void Optimizer::improve_on_first_order() {
+  const auto improve = [&](TriangleMesh& mesh) {
+    improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh);
+    return values_.of(mesh);
   };
-  std::vector<Use> uses;
-  for_each_triangle(graph_, TriangleClass::valid, problem_.order, own_numbering(graph_.xy.size()),
-                    [&](std::span<const TriangleRecord> piece) {
-                      for (const TriangleRecord& t : piece) {
-                        const bool ccw = orient(graph_.xy[t.a], graph_.xy[t.b], graph_.xy[t.c]) > 0;
-                        uses.push_back({t.a, t.b, ccw, VertexId(t.c)});
-                        uses.push_back({t.b, t.c, ccw, VertexId(t.a)});
-                        uses.push_back({t.a, t.c, !ccw, VertexId(t.b)});
-                      }
-                    });
-  std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) { return x.key() < y.key(); });
-  const Buffer<bool> fixed = fixed_edges(graph_, problem_.order);
-  std::vector<std::tuple<Index, Index>> fixed_keys;
-  std::size_t inner = 0;
-  for_each_inner_edge(delaunay_, [&](HalfEdgeId h) {
-    ++inner;
-    const Index a = delaunay_.origin(h), b = delaunay_.target(h);
-    if (fixed[h]) fixed_keys.emplace_back(std::min(a, b), std::max(a, b));
-  });
-  std::sort(fixed_keys.begin(), fixed_keys.end());
-
-  const auto better = [&](double x, double y) { return values_.better(x, y) ? x : y; };
-  const double worst = problem_.objective.direction == Direction::minimize ? 1e300 : 0;
-  double bound = values_.neutral(), best_of_all = worst;
-  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
-    while (last < uses.size() && uses[last].key() == uses[first].key()) ++last;
-    double best = worst;
-    for (std::size_t l = first; l < last; ++l)
-      for (std::size_t r = first; r < last; ++r)
-        if (uses[l].is_left && !uses[r].is_left)
-          best = better(best, values_.of(VertexId(uses[l].low), VertexId(uses[l].high),
-                                         uses[l].apex, uses[r].apex));
-    if (std::binary_search(fixed_keys.begin(), fixed_keys.end(), uses[first].key()))
-      bound = values_.combine(bound, best);
-    else
-      best_of_all = better(best_of_all, best);
+  EdgeBound suggestion =
+      bound_across_edges(graph_, values_, problem_.order, problem_.deadline);
+  if (problem_.method == Method::flip) suggestion.mesh = solution_.mesh;
+  solution_.result = improve(solution_.mesh);
+  const double other = improve(suggestion.mesh);
+  if (getenv("HODT_DBG")) fprintf(stderr, "first %.10g other %.10g bound %.10g\n", solution_.result, other, suggestion.bound);
+  if (values_.better(other, solution_.result)) {
+    solution_.result = other;
+    solution_.mesh = std::move(suggestion.mesh);
   }
-  const std::size_t others = inner - fixed_keys.size();
-  if (others > 0)
-    bound = values_.combine(bound, problem_.objective.aggregate == Aggregate::sum
-                                       ? double(others) * best_of_all
-                                       : best_of_all);
-  return std::isfinite(bound) ? bound : 0;
+  solution_.bound = suggestion.bound;
 }
 
 }  // namespace

@@ -5,16 +5,12 @@
 #include <vector>
 
 #include "hodt/base/parallel.h"
-#include "hodt/geometry/predicates.h"
 #include "hodt/mesh/replace_triangles.h"
-#include "hodt/optimize/face_program.h"
+#include "hodt/optimize/faces.h"
 #include "hodt/optimize/flips.h"
 #include "hodt/optimize/measures.h"
 #include "hodt/optimize/optimize_edge_measure.h"
-#include "hodt/optimize/polygon_optimum.h"
 #include "hodt/order/first_order.h"
-#include "hodt/order/fixed_edges.h"
-#include "hodt/order/triangles.h"
 
 namespace hodt {
 
@@ -83,18 +79,7 @@ class Optimizer {
   }
 
   void solve_faces();
-  void sort_into_faces(const FixedFaces& faces);
-  Index face_of(const FixedFaces& faces, const Corners& t) const;
-  FaceSolution solve_face(const FixedFaces& faces, const Buffer<bool>& fixed, Index face,
-                          PolygonOptimum& polygon) const;
-  void take(const FixedFaces& faces, Index face, const FaceSolution& solution);
-  FaceProblem problem_of(Index face, std::span<const TriangleId> places,
-                         std::span<const std::pair<VertexId, VertexId>> sides) const {
-    return {{triangles_.data() + first_[face], triangles_.data() + first_[face + 1]},
-            sides,
-            places.size(),
-            value_in_mesh(places)};
-  }
+  void take(Faces& faces, Index face, const FaceSolution& solution);
   double value_in_mesh(std::span<const TriangleId> places) const {
     double value = values_.neutral();
     for (const TriangleId t : places) {
@@ -103,94 +88,26 @@ class Optimizer {
     }
     return value;
   }
-  double loose_bound(const FaceProblem& face) const;
 
   const MeasureProblem& problem_;
   const DelaunayGraph& graph_;
   const TriangleValues values_;
   const bool is_sum_;
   MeasuredSolution solution_;
-  Buffer<double> ranks_;                 // of its triangles
-  double gap_ = 0;                       // of sums
-  double bound_ = values_.neutral();     // of the others: of the faces
-  double fixed_ = values_.neutral();     // and of the triangles that are always there
-  std::vector<FaceTriangle> triangles_;  // valid, by face
-  std::vector<std::size_t> first_;       // of each face
+  Buffer<double> ranks_;              // of its triangles
+  double gap_ = 0;                    // of sums
+  double bound_ = values_.neutral();  // of the others: of the faces
+  double fixed_ = values_.neutral();  // and of the triangles that are always there
 };
 
-/// A triangle of any triangulation of order k is in one face: that of the Delaunay triangle which
-/// it begins in, at one corner.
-Index Optimizer::face_of(const FixedFaces& faces, const Corners& t) const {
-  const TriangleMesh& mesh = graph_.mesh;
-  const Point &a = graph_.point(t[0]), &b = graph_.point(t[1]);
-  Index face = kNone;
-  for_each_outgoing(mesh, graph_.outgoing[t[0]], [&](HalfEdgeId h) {
-    if (face != kNone) return;
-    if (orient(a, graph_.point(mesh.target(h)), b) >= 0 &&
-        orient(a, b, graph_.point(mesh.apex(h))) > 0)
-      face = faces.face_of(TriangleMesh::triangle(h));
-  });
-  return face;
-}
-
-void Optimizer::sort_into_faces(const FixedFaces& faces) {
-  const Numbering numbering = own_numbering(graph_.xy.size());
-  std::vector<std::pair<Index, FaceTriangle>> all;
-  for_each_triangle(
-      graph_, TriangleClass::valid, problem_.order, numbering,
-      [&](std::span<const TriangleRecord> piece) {
-        const std::size_t before = all.size();
-        all.resize(before + piece.size());
-        parallel_for(0, piece.size(), 1 << 10, [&](std::size_t first, std::size_t last) {
-          for (std::size_t i = first; i < last; ++i) {
-            Corners c{VertexId(piece[i].a), VertexId(piece[i].b), VertexId(piece[i].c)};
-            if (orient(graph_.point(c[0]), graph_.point(c[1]), graph_.point(c[2])) < 0)
-              std::swap(c[1], c[2]);
-            all[before + i] = {face_of(faces, c), {c, values_.of(c[0], c[1], c[2])}};
-          }
-        });
-      });
-  first_.assign(faces.size() + 1, 0);
-  for (const auto& [face, triangle] : all) ++first_[face + 1];
-  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-  triangles_.resize(all.size());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (const auto& [face, triangle] : all) triangles_[next[face]++] = triangle;
-}
-
-/// Proven, and no more: every side has a triangle, one of those given.
-double Optimizer::loose_bound(const FaceProblem& face) const {
-  double best = face.triangles.front().value;
-  for (const FaceTriangle& t : face.triangles)
-    if (values_.better(t.value, best)) best = t.value;
-  return is_sum_ ? double(face.size) * best : best;
-}
-
-FaceSolution Optimizer::solve_face(const FixedFaces& faces, const Buffer<bool>& fixed, Index face,
-                                   PolygonOptimum& polygon) const {
-  const std::span<const TriangleId> places = faces.triangles(face);
-  std::vector<std::pair<VertexId, VertexId>> sides;
-  for (const TriangleId t : places)
-    for (Index i = 0; i < 3; ++i)
-      if (const HalfEdgeId h(3 * t + i); fixed[h])
-        sides.emplace_back(graph_.mesh.origin(h), graph_.mesh.target(h));
-  const FaceProblem problem = problem_of(face, places, sides);
-  if (auto best = polygon.solve(problem, values_)) return *std::move(best);
-  constexpr std::size_t kPrograms = 400, kExactPrograms = 1'000'000;
-  if (!problem_.deadline.passed())
-    return solve_face_program(problem, values_, problem_.deadline,
-                              problem_.method == Method::exact ? kExactPrograms : kPrograms);
-  return {{}, loose_bound(problem)};
-}
-
-void Optimizer::take(const FixedFaces& faces, Index face, const FaceSolution& solution) {
-  const std::span<const TriangleId> places = faces.triangles(face);
+void Optimizer::take(Faces& faces, Index face, const FaceSolution& solution) {
+  const std::span<const TriangleId> places = faces.places(face);
   double value = value_in_mesh(places);
   if (!solution.chosen.empty()) {
     std::vector<Corners> fresh;
     double chosen_value = values_.neutral();
     for (const Index t : solution.chosen) {
-      const FaceTriangle& triangle = triangles_[first_[face] + t];
+      const FaceTriangle& triangle = faces.triangles(face)[t];
       fresh.push_back(triangle.corners);
       chosen_value = values_.combine(chosen_value, triangle.value);
     }
@@ -207,27 +124,33 @@ void Optimizer::take(const FixedFaces& faces, Index face, const FaceSolution& so
 }
 
 void Optimizer::solve_faces() {
-  const Buffer<bool> fixed = fixed_edges(graph_, problem_.order);
-  const FixedFaces faces(graph_, fixed);
-  sort_into_faces(faces);
+  constexpr std::size_t kPrograms = 400, kExactPrograms = 1'000'000;
+  Faces faces(graph_, problem_.order);
+  const std::span<FaceTriangle> triangles = faces.triangles();
+  parallel_for(0, triangles.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
+    for (FaceTriangle& t : triangles.subspan(first, last - first))
+      t.value = values_.of(t.corners[0], t.corners[1], t.corners[2]);
+  });
   // What there is if time runs out, and what a face's program need not exceed.
   improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
   std::vector<FaceSolution> solutions(faces.size());
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t face = first; face < last; ++face)
-      if (faces.triangles(Index(face)).size() > 1)
-        solutions[face] = solve_face(faces, fixed, Index(face), polygons.mine());
+    for (auto face = static_cast<Index>(first); face < last; ++face)
+      if (faces.places(face).size() > 1)
+        solutions[face] = faces.solve(
+            face, values_, value_in_mesh(faces.places(face)), problem_.deadline,
+            problem_.method == Method::exact ? kExactPrograms : kPrograms, polygons.mine());
   });
   if (problem_.method == Method::flip)
     for (FaceSolution& s : solutions) s.chosen.clear();  // the bounds are good all the same
   // Flips stay inside the faces, so a face is in its places still; as long as no triangle of the
   // mesh crosses a fixed edge, which none of order k does.
   for (Index face = 0; face < faces.size(); ++face) {
-    if (faces.triangles(face).size() > 1)
+    if (faces.places(face).size() > 1)
       take(faces, face, solutions[face]);
     else if (!is_sum_)
-      fixed_ = values_.combine(fixed_, value_in_mesh(faces.triangles(face)));
+      fixed_ = values_.combine(fixed_, value_in_mesh(faces.places(face)));
   }
   // Below the largest (or smallest) value of a face there may be something left to gain.
   if (!is_sum_)

@@ -30,7 +30,7 @@ Index PolygonOptimum::position(VertexId v) const {
 }
 
 std::optional<FaceSolution> PolygonOptimum::solve(const FaceProblem& face,
-                                                  const TriangleValues& values) {
+                                                  const Combination& values) {
   if (face.sides.size() > kMostVertices || !walk_around(face)) return std::nullopt;
   const auto m = static_cast<Index>(positions_.size());
   placed_.clear();

@@ -16,7 +16,7 @@ class PolygonOptimum {
  public:
   static constexpr Index kMostVertices = 600;
 
-  std::optional<FaceSolution> solve(const FaceProblem& face, const TriangleValues& values);
+  std::optional<FaceSolution> solve(const FaceProblem& face, const Combination& values);
 
  private:
   struct Best {

@@ -1,0 +1,24 @@
+// How good a triangulation of order k can be at best for a measure across edges.
+#pragma once
+
+#include "hodt/base/deadline.h"
+#include "hodt/mesh/triangle_mesh.h"
+#include "hodt/optimize/edge_measures.h"
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+struct EdgeBound {
+  /// No triangulation of that order is better.
+  double bound;
+  /// One that is good by what the triangles were charged with: where to look for a good one.
+  TriangleMesh mesh;
+};
+
+/// What an edge costs between two triangles is charged to the two in parts, such that no pair is
+/// charged with more than it costs. So any triangulation costs at least what its triangles are
+/// charged with, and the least of that is found face by face.
+EdgeBound bound_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index order,
+                             const Deadline& deadline);
+
+}  // namespace hodt
