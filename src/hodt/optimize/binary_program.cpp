@@ -134,7 +134,7 @@ std::vector<Index> BinaryProgram::rounded() const {
 BinaryProgram::Solution BinaryProgram::minimize(const std::vector<double>& costs, double enough,
                                                 double too_much) {
   load(costs);
-  Solution best{{}, 0, {}};
+  Solution best{{}, 0, {}, {}};
   double cost = kInfinite;
   double settled = cost;  // no solution in the parts that are left alone costs less
   std::priority_queue<Node> open;
@@ -174,6 +174,8 @@ BinaryProgram::Solution BinaryProgram::minimize(const std::vector<double>& costs
   if (!open.empty()) best.bound = std::min(best.bound, open.top().bound);
   const double* x = Clp_getColSolution(model_.get());
   best.values.assign(x, x + costs.size());
+  const double* reduced = Clp_getReducedCost(model_.get());
+  best.reduced_costs.assign(reduced, reduced + costs.size());
   return best;
 }
 

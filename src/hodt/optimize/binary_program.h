@@ -36,6 +36,8 @@ class BinaryProgram {
     std::vector<Index> ones;     ///< of the best solution found; none if none was
     double bound;                ///< no solution costs less
     std::vector<double> values;  ///< of the variables, in the last relaxation
+    /// What the variables cost more there than the rows are worth, about.
+    std::vector<double> reduced_costs;
   };
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
 

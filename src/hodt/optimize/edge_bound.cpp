@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "hodt/base/parallel.h"
@@ -17,132 +18,218 @@ namespace {
 
 using Corners = std::array<VertexId, 3>;
 
+/// Of a triangle with no edge that costs.
+constexpr double kNever = -std::numeric_limits<double>::infinity();
+
 /// A valid triangle at an edge.
 struct Use {
   Index low, high;
   bool is_left;  // of low -> high
   Index triangle;
   EdgeValues::Gradient gradient;
+  double charge;
 
   auto edge() const { return std::tuple(low, high); }
+};
+
+/// An edge that can be between two triangles.
+struct Edge {
+  std::span<Use> left, right;
 };
 
 class Bound {
  public:
   Bound(const DelaunayGraph& graph, const EdgeValues& values, Index order, const Deadline& deadline)
-      : graph_(graph), values_(values), deadline_(deadline), faces_(graph, order) {
-    const Objective& objective = values.objective();
-    sign_ = objective.direction == Direction::minimize ? 1 : -1;
-    is_sum_ = objective.aggregate == Aggregate::sum;
-    is_worst_ =
-        (objective.aggregate == Aggregate::max) == (objective.direction == Direction::minimize);
+      : graph_(graph),
+        values_(values),
+        deadline_(deadline),
+        faces_(graph, order),
+        objective_(values.objective()),
+        sign_(objective_.direction == Direction::minimize ? 1 : -1) {
+    find_edges();
   }
 
-  EdgeBound run() && {
-    charge();
+  EdgeBound run(bool is_thorough) && {
+    if (objective_.aggregate == Aggregate::sum) return charge_sums(is_thorough);
     EdgeBound result{0, graph_.mesh};
-    if (!is_sum_ && !is_worst_) {  // any pair could be there
-      result.bound = sign_ * best_pair_;
-      return result;
-    }
-    solve(result);
+    const bool worst_counts =
+        (objective_.aggregate == Aggregate::max) == (objective_.direction == Direction::minimize);
+    result.bound = worst_counts ? least_largest(result.mesh) : best_pair();
     return result;
   }
 
  private:
-  /// Charged with nothing yet, of largest values.
-  static constexpr double kNever = -std::numeric_limits<double>::infinity();
-
-  std::vector<Use> uses();
-  void charge();
-  void charge_pairs(std::span<const Use> left, std::span<const Use> right);
-  void solve(EdgeBound& result);
-  double make_positive(std::span<FaceTriangle> triangles) const;
+  void find_edges();
+  double cost(const Edge& edge, const Use& left, const Use& right) const {
+    return sign_ * values_.across(VertexId(edge.left[0].low), VertexId(edge.left[0].high),
+                                  left.gradient, right.gradient);
+  }
+  EdgeBound charge_sums(bool is_thorough);
+  void charge_all();
+  void share(const Edge& edge, std::vector<double>& room) const;
+  void take_back(const std::vector<FaceSolution>& solutions);
+  double least_largest(TriangleMesh& mesh);
+  void charge_least(const Edge& edge);
+  double best_pair() const;
+  double solve(Aggregate aggregate, std::vector<FaceSolution>& solutions);
+  double make_positive(std::span<FaceTriangle> triangles, bool is_sum) const;
   bool is_delaunay(const Corners& t) const;
+  void take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh);
 
   const DelaunayGraph& graph_;
   const EdgeValues& values_;
   const Deadline& deadline_;
   Faces faces_;
-  double sign_;  // of costs: the less, the better
-  bool is_sum_, is_worst_;
-  double best_pair_ = std::numeric_limits<double>::infinity();
-  std::vector<double> costs_, left_, right_;  // of one edge
+  const Objective objective_;
+  const double sign_;  // of costs: the less, the better
+  std::vector<Use> uses_;
+  std::vector<Edge> edges_;
 };
 
-/// By edges, those on the left of one first.
-std::vector<Use> Bound::uses() {
+void Bound::find_edges() {
   const std::span<const FaceTriangle> triangles = faces_.triangles();
-  std::vector<Use> uses(3 * triangles.size());
+  uses_.resize(3 * triangles.size());
   parallel_for(0, triangles.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const auto [a, b, c] = triangles[t].corners;
       const EdgeValues::Gradient gradient = values_.gradient(a, b, c);
       std::size_t at = 3 * t;
       for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        uses[at++] = {std::min<Index>(u, v), std::max<Index>(u, v), u < v, Index(t), gradient};
+        uses_[at++] = {std::min<Index>(u, v), std::max<Index>(u, v), u < v, Index(t), gradient, 0};
     }
   });
-  std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) {
+  std::sort(uses_.begin(), uses_.end(), [](const Use& x, const Use& y) {
     return std::tuple(x.edge(), !x.is_left, x.triangle) <
            std::tuple(y.edge(), !y.is_left, y.triangle);
   });
-  return uses;
-}
-
-void Bound::charge() {
-  for (FaceTriangle& t : faces_.triangles()) t.value = is_sum_ ? 0 : kNever;
-  const std::vector<Use> all = uses();
-  for (auto first = all.begin(), last = first; first != all.end(); first = last) {
-    while (last != all.end() && last->edge() == first->edge()) ++last;
+  for (auto first = uses_.begin(), last = first; first != uses_.end(); first = last) {
+    while (last != uses_.end() && last->edge() == first->edge()) ++last;
     const auto middle =
         std::partition_point(first, last, [](const Use& use) { return use.is_left; });
-    if (middle != first && middle != last) charge_pairs({first, middle}, {middle, last});
+    if (middle != first && middle != last) edges_.push_back({{first, middle}, {middle, last}});
   }
 }
 
-/// Half of the least that it can cost to each; then as much more as all pairs leave, to those on
-/// the left and to those on the right. Of largest values, to each the least that it can be in.
-void Bound::charge_pairs(std::span<const Use> left, std::span<const Use> right) {
-  const VertexId a(left[0].low), b(left[0].high);
-  costs_.clear();
-  for (const Use& l : left)
-    for (const Use& r : right)
-      costs_.push_back(sign_ * values_.across(a, b, l.gradient, r.gradient));
-  best_pair_ = std::min(best_pair_, *std::min_element(costs_.begin(), costs_.end()));
-  const auto least_left = [&](std::size_t l, const auto& charged_right) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t r = 0; r < right.size(); ++r)
-      least = std::min(least, costs_[l * right.size() + r] - charged_right(r));
-    return least;
-  };
-  const auto least_right = [&](std::size_t r, const auto& charged_left) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t l = 0; l < left.size(); ++l)
-      least = std::min(least, costs_[l * right.size() + r] - charged_left(l));
-    return least;
-  };
-  const auto nothing = [](std::size_t) { return 0.0; };
-  left_.resize(left.size());
-  right_.resize(right.size());
-  for (std::size_t r = 0; r < right.size(); ++r) right_[r] = least_right(r, nothing);
-  if (is_sum_) {
-    for (double& charged : right_) charged /= 2;
-    const auto of_right = [&](std::size_t r) { return right_[r]; };
-    for (std::size_t l = 0; l < left.size(); ++l) left_[l] = least_left(l, of_right);
-    const auto of_left = [&](std::size_t l) { return left_[l]; };
-    for (std::size_t r = 0; r < right.size(); ++r) right_[r] = least_right(r, of_left);
-  } else {
-    for (std::size_t l = 0; l < left.size(); ++l) left_[l] = least_left(l, nothing);
-  }
-  const auto add = [&](std::span<const Use> uses, const std::vector<double>& charged) {
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      double& value = faces_.triangles()[uses[i].triangle].value;
-      value = is_sum_ ? value + charged[i] : std::max(value, charged[i]);
+/// Charges as much more as no pair exceeds its cost by: half of it to those on the left, then all
+/// that is left.
+void Bound::share(const Edge& edge, std::vector<double>& room) const {
+  const std::size_t width = edge.right.size();
+  room.clear();
+  for (const Use& left : edge.left)
+    for (const Use& right : edge.right)
+      room.push_back(cost(edge, left, right) - left.charge - right.charge);
+  const auto charge_left = [&](double part) {
+    for (std::size_t l = 0; l < edge.left.size(); ++l) {
+      double* const row = &room[l * width];
+      const double more = part * *std::min_element(row, row + width);
+      edge.left[l].charge += more;
+      for (std::size_t r = 0; r < width; ++r) row[r] -= more;
     }
   };
-  add(left, left_);
-  add(right, right_);
+  const auto charge_right = [&] {
+    for (std::size_t r = 0; r < width; ++r) {
+      double more = room[r];
+      for (std::size_t at = r; at < room.size(); at += width) more = std::min(more, room[at]);
+      edge.right[r].charge += more;
+      for (std::size_t at = r; at < room.size(); at += width) room[at] -= more;
+    }
+  };
+  charge_left(0.5);
+  charge_right();
+  charge_left(1);
+}
+
+/// What the triangles can spare, from all their edges alike.
+void Bound::take_back(const std::vector<FaceSolution>& solutions) {
+  std::vector<double> spare(faces_.triangles().size(), 0);
+  for (Index face = 0; face < faces_.size(); ++face) {
+    const auto begin = faces_.triangles(face).data() - faces_.triangles().data();
+    std::copy(solutions[face].spare.begin(), solutions[face].spare.end(), spare.begin() + begin);
+  }
+  for (const Edge& edge : edges_)
+    for (const std::span<Use> uses : {edge.left, edge.right})
+      for (Use& use : uses) use.charge -= spare[use.triangle] / 3;
+}
+
+EdgeBound Bound::charge_sums(bool is_thorough) {
+  // Later rounds gain little; how little is worth going on for.
+  const double worth_it = is_thorough ? 1e-4 : 0.02;
+  const int most_rounds = is_thorough ? 500 : 50;
+  EdgeBound result{-std::numeric_limits<double>::infinity(), graph_.mesh};
+  std::vector<FaceSolution> solutions(faces_.size());
+  double best = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most_rounds && !deadline_.passed(); ++round) {
+    charge_all();
+    const double bound = solve(Aggregate::sum, solutions);
+    TriangleMesh mesh = graph_.mesh;
+    take(solutions, mesh);
+    if (const double value = sign_ * values_.of(mesh); value < best) {
+      best = value;
+      result.mesh = std::move(mesh);
+    }
+    const double gain = bound - std::exchange(result.bound, std::max(result.bound, bound));
+    if (gain <= worth_it * (best - result.bound)) break;
+    take_back(solutions);
+  }
+  result.bound = std::max(sign_ * result.bound, 0.0) + 0.0;
+  return result;
+}
+
+void Bound::charge_all() {
+  PerThread<std::vector<double>> scratch([] { return std::vector<double>(); });
+  parallel_for(0, edges_.size(), 1 << 8, [&](std::size_t first, std::size_t last) {
+    std::vector<double>& room = scratch.mine();
+    for (std::size_t e = first; e < last; ++e) share(edges_[e], room);
+  });
+  for (FaceTriangle& t : faces_.triangles()) t.value = 0;
+  for (const Edge& edge : edges_)
+    for (const std::span<Use> uses : {edge.left, edge.right})
+      for (const Use& use : uses) faces_.triangles()[use.triangle].value += use.charge;
+}
+
+/// With a triangle there is, at each of its edges, a pair at least as bad as the best one it can be
+/// in, or what the other triangle brings with it; and so on, as far as it goes.
+double Bound::least_largest(TriangleMesh& mesh) {
+  constexpr int kMostRounds = 100;
+  const std::span<FaceTriangle> triangles = faces_.triangles();
+  for (FaceTriangle& t : triangles) t.value = kNever;
+  bool is_changing = true;
+  for (int round = 0; is_changing && round < kMostRounds; ++round) {
+    for (const Edge& edge : edges_) charge_least(edge);
+    is_changing = false;
+    for (const Edge& edge : edges_)
+      for (const std::span<Use> uses : {edge.left, edge.right})
+        for (const Use& use : uses) {
+          double& value = triangles[use.triangle].value;
+          is_changing |= value < use.charge;
+          value = std::max(value, use.charge);
+        }
+  }
+  std::vector<FaceSolution> solutions(faces_.size());
+  const double bound = solve(Aggregate::max, solutions);
+  take(solutions, mesh);
+  return std::max(sign_ * bound, 0.0) + 0.0;  // never -0
+}
+
+void Bound::charge_least(const Edge& edge) {
+  const std::span<const FaceTriangle> triangles = faces_.triangles();
+  for (const std::span<Use> uses : {edge.left, edge.right})
+    for (Use& use : uses) use.charge = std::numeric_limits<double>::infinity();
+  for (Use& left : edge.left)
+    for (Use& right : edge.right) {
+      const double c = cost(edge, left, right);
+      left.charge = std::min(left.charge, std::max(c, triangles[right.triangle].value));
+      right.charge = std::min(right.charge, std::max(c, triangles[left.triangle].value));
+    }
+}
+
+/// Any two triangles could be in some triangulation.
+double Bound::best_pair() const {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : edges_)
+    for (const Use& left : edge.left)
+      for (const Use& right : edge.right) best = std::min(best, cost(edge, left, right));
+  return std::isfinite(best) ? sign_ * best : 0;
 }
 
 bool Bound::is_delaunay(const Corners& t) const {
@@ -153,14 +240,14 @@ bool Bound::is_delaunay(const Corners& t) const {
   return found;
 }
 
-void Bound::solve(EdgeBound& result) {
-  const Combination least(Objective(Direction::minimize, is_sum_ ? Aggregate::sum : Aggregate::max,
-                                    values_.objective().measure));
-  std::vector<FaceSolution> solutions(faces_.size());
+/// The least that the triangles' values can sum up to, or their largest can be.
+double Bound::solve(Aggregate aggregate, std::vector<FaceSolution>& solutions) {
+  const bool is_sum = aggregate == Aggregate::sum;
+  const Combination least(Objective(Direction::minimize, aggregate, objective_.measure));
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces_.size(), 1, [&](std::size_t first, std::size_t last) {
     for (auto face = static_cast<Index>(first); face < last; ++face) {
-      const double shift = make_positive(faces_.triangles(face));
+      const double shift = make_positive(faces_.triangles(face), is_sum);
       double at_hand = least.neutral();
       for (const FaceTriangle& t : faces_.triangles(face))
         if (is_delaunay(t.corners)) at_hand = least.combine(at_hand, t.value);
@@ -169,26 +256,21 @@ void Bound::solve(EdgeBound& result) {
         solutions[face].bound = at_hand;
       else
         solutions[face] = faces_.solve(face, least, at_hand, deadline_, 1, polygons.mine());
-      solutions[face].bound += is_sum_ ? double(size) * shift : shift;
+      solutions[face].bound += is_sum ? double(size) * shift : shift;
     }
   });
   double bound = least.neutral(), size = 0;
-  for (Index face = 0; face < faces_.size(); ++face) {
-    const FaceSolution& solution = solutions[face];
+  for (const FaceSolution& solution : solutions) {
     bound = least.combine(bound, solution.bound);
     size += std::fabs(solution.bound);
-    std::vector<Corners> chosen;
-    for (const Index t : solution.chosen) chosen.push_back(faces_.triangles(face)[t].corners);
-    if (!chosen.empty()) replace_triangles(result.mesh, faces_.places(face), chosen);
   }
-  if (is_sum_) bound -= 1e-12 * size;  // far more than what rounding does
-  result.bound = std::max(sign_ * bound, 0.0);
+  return is_sum ? bound - 1e-12 * size : bound;  // far more than what rounding does
 }
 
 /// The same less for all triangles of a face, so that none costs less than nothing; returns how
 /// much. (Any triangulation of it has as many.)
-double Bound::make_positive(std::span<FaceTriangle> triangles) const {
-  double lowest = is_sum_ ? 0 : std::numeric_limits<double>::infinity();
+double Bound::make_positive(std::span<FaceTriangle> triangles, bool is_sum) const {
+  double lowest = is_sum ? 0 : std::numeric_limits<double>::infinity();
   for (const FaceTriangle& t : triangles)
     if (t.value != kNever) lowest = std::min(lowest, t.value);
   if (!std::isfinite(lowest)) lowest = 0;
@@ -196,11 +278,20 @@ double Bound::make_positive(std::span<FaceTriangle> triangles) const {
   return lowest;
 }
 
+void Bound::take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh) {
+  for (Index face = 0; face < faces_.size(); ++face) {
+    std::vector<Corners> chosen;
+    for (const Index t : solutions[face].chosen)
+      chosen.push_back(faces_.triangles(face)[t].corners);
+    if (!chosen.empty()) replace_triangles(mesh, faces_.places(face), chosen);
+  }
+}
+
 }  // namespace
 
 EdgeBound bound_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index order,
-                             const Deadline& deadline) {
-  return Bound(graph, values, order, deadline).run();
+                             const Deadline& deadline, bool is_thorough) {
+  return Bound(graph, values, order, deadline).run(is_thorough);
 }
 
 }  // namespace hodt

@@ -69,8 +69,7 @@ double enough(const FaceProblem& face) {
   return 1e-10 * double(face.size);
 }
 
-FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face,
-                      const Combination& values) {
+FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face, const Combination& values) {
   const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
   // A triangle that costs more than all of a triangulation at hand is never worth it, however much
   // more, and a sliver's circumradius would spoil the scale.
@@ -82,8 +81,11 @@ FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face,
   for (const FaceTriangle& t : face.triangles)
     costs.push_back(sign * std::min(t.value, most) / largest);
   const BinaryProgram::Solution solution = program.minimize(costs, enough(face));
+  std::vector<double> spare;
+  for (const double reduced : solution.reduced_costs)
+    spare.push_back(std::max(largest * reduced, 0.0));
   // No measure is negative.
-  return {solution.ones, std::max(sign * largest * solution.bound, 0.0)};
+  return {solution.ones, std::max(sign * largest * solution.bound, 0.0), std::move(spare)};
 }
 
 /// Values from best to worst, each once.
@@ -139,8 +141,7 @@ FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
 }
 
 /// The best value counts: any triangle that some triangulation has.
-FaceSolution best_best(BinaryProgram& program, const FaceProblem& face,
-                       const Combination& values) {
+FaceSolution best_best(BinaryProgram& program, const FaceProblem& face, const Combination& values) {
   Index best = 0;
   for (Index t = 1; t < face.triangles.size(); ++t)
     if (values.better(face.triangles[t].value, face.triangles[best].value)) best = t;

@@ -27,20 +27,20 @@ double loose_bound(const FaceProblem& face, const Combination& combination) {
 Faces::Faces(const DelaunayGraph& graph, Index order)
     : graph_(graph), fixed_(fixed_edges(graph, order)), faces_(graph, fixed_) {
   std::vector<std::pair<Index, Corners>> all;
-  for_each_triangle(graph, TriangleClass::valid, order, own_numbering(graph.xy.size()),
-                    [&](std::span<const TriangleRecord> piece) {
-                      const std::size_t before = all.size();
-                      all.resize(before + piece.size());
-                      parallel_for(0, piece.size(), 1 << 10, [&](std::size_t i, std::size_t last) {
-                        for (; i < last; ++i) {
-                          Corners c{VertexId(piece[i].a), VertexId(piece[i].b),
-                                    VertexId(piece[i].c)};
-                          if (orient(graph.point(c[0]), graph.point(c[1]), graph.point(c[2])) < 0)
-                            std::swap(c[1], c[2]);
-                          all[before + i] = {face_of(c), c};
-                        }
-                      });
-                    });
+  for_each_triangle(
+      graph, TriangleClass::valid, order, own_numbering(graph.xy.size()),
+      [&](std::span<const TriangleRecord> piece) {
+        const std::size_t before = all.size();
+        all.resize(before + piece.size());
+        parallel_for(0, piece.size(), 1 << 10, [&](std::size_t i, std::size_t last) {
+          for (; i < last; ++i) {
+            Corners c{VertexId(piece[i].a), VertexId(piece[i].b), VertexId(piece[i].c)};
+            if (orient(graph.point(c[0]), graph.point(c[1]), graph.point(c[2])) < 0)
+              std::swap(c[1], c[2]);
+            all[before + i] = {face_of(c), c};
+          }
+        });
+      });
   first_.assign(faces_.size() + 1, 0);
   for (const auto& [face, corners] : all) ++first_[face + 1];
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];

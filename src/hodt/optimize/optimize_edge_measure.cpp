@@ -160,12 +160,11 @@ void Optimizer::improve_on_first_order() {
     improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh);
     return values_.of(mesh);
   };
-  EdgeBound suggestion =
-      bound_across_edges(graph_, values_, problem_.order, problem_.deadline);
+  EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, problem_.deadline,
+                                            problem_.method == Method::exact);
   if (problem_.method == Method::flip) suggestion.mesh = solution_.mesh;
   solution_.result = improve(solution_.mesh);
   const double other = improve(suggestion.mesh);
-  if (getenv("HODT_DBG")) fprintf(stderr, "first %.10g other %.10g bound %.10g\n", solution_.result, other, suggestion.bound);
   if (values_.better(other, solution_.result)) {
     solution_.result = other;
     solution_.mesh = std::move(suggestion.mesh);

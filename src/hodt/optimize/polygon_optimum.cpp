@@ -73,6 +73,16 @@ std::optional<FaceSolution> PolygonOptimum::solve(const FaceProblem& face,
     chains.emplace_back(chain.apex, j);
   }
   std::sort(solution.chosen.begin(), solution.chosen.end());
+  if (values.objective().aggregate == Aggregate::sum) {
+    solution.spare.resize(face.triangles.size());
+    for (const Placed& p : placed_) {
+      const Best &left = best(p.first, p.apex), &right = best(p.apex, p.last);
+      const double own = face.triangles[p.triangle].value;
+      const bool is_possible = left.apex != kNone && right.apex != kNone;
+      solution.spare[p.triangle] =
+          is_possible ? own + left.value + right.value - best(p.first, p.last).value : own;
+    }
+  }
   return solution;
 }
 
