@@ -24,9 +24,8 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// A valid triangle at an edge.
 struct Use {
   Index low, high;
-  bool is_left;  // of low -> high
   Index triangle;
-  EdgeValues::Gradient gradient;
+  bool is_left;  // of low -> high
   double charge;
 
   auto edge() const { return std::tuple(low, high); }
@@ -39,13 +38,15 @@ struct Edge {
 
 class Bound {
  public:
-  Bound(const DelaunayGraph& graph, const EdgeValues& values, Index order, const Deadline& deadline)
+  Bound(const DelaunayGraph& graph, const EdgeValues& values, Index order, double at_hand,
+        const Deadline& deadline)
       : graph_(graph),
         values_(values),
         deadline_(deadline),
         faces_(graph, order),
         objective_(values.objective()),
-        sign_(objective_.direction == Direction::minimize ? 1 : -1) {
+        sign_(objective_.direction == Direction::minimize ? 1 : -1),
+        most_(sign_ > 0 ? at_hand : std::numeric_limits<double>::infinity()) {
     find_edges();
   }
 
@@ -61,8 +62,9 @@ class Bound {
  private:
   void find_edges();
   double cost(const Edge& edge, const Use& left, const Use& right) const {
-    return sign_ * values_.across(VertexId(edge.left[0].low), VertexId(edge.left[0].high),
-                                  left.gradient, right.gradient);
+    return std::min(most_,
+                    sign_ * values_.across(VertexId(edge.left[0].low), VertexId(edge.left[0].high),
+                                           gradients_[left.triangle], gradients_[right.triangle]));
   }
   EdgeBound charge_sums(bool is_thorough);
   void charge_all();
@@ -82,20 +84,25 @@ class Bound {
   Faces faces_;
   const Objective objective_;
   const double sign_;  // of costs: the less, the better
+  // Whatever costs more than all edges of a triangulation at hand is not in the best one, however
+  // much more: slivers would spoil the scale.
+  const double most_;
+  std::vector<EdgeValues::Gradient> gradients_;  // of the triangles
   std::vector<Use> uses_;
   std::vector<Edge> edges_;
 };
 
 void Bound::find_edges() {
   const std::span<const FaceTriangle> triangles = faces_.triangles();
+  gradients_.resize(triangles.size());
   uses_.resize(3 * triangles.size());
   parallel_for(0, triangles.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const auto [a, b, c] = triangles[t].corners;
-      const EdgeValues::Gradient gradient = values_.gradient(a, b, c);
+      gradients_[t] = values_.gradient(a, b, c);
       std::size_t at = 3 * t;
       for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        uses_[at++] = {std::min<Index>(u, v), std::max<Index>(u, v), u < v, Index(t), gradient, 0};
+        uses_[at++] = {std::min<Index>(u, v), std::max<Index>(u, v), Index(t), u < v, 0};
     }
   });
   std::sort(uses_.begin(), uses_.end(), [](const Use& x, const Use& y) {
@@ -158,7 +165,7 @@ EdgeBound Bound::charge_sums(bool is_thorough) {
   EdgeBound result{-std::numeric_limits<double>::infinity(), graph_.mesh};
   std::vector<FaceSolution> solutions(faces_.size());
   double best = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < most_rounds && !deadline_.passed(); ++round) {
+  for (int round = 0; round < most_rounds && (round == 0 || !deadline_.passed()); ++round) {
     charge_all();
     const double bound = solve(Aggregate::sum, solutions);
     TriangleMesh mesh = graph_.mesh;
@@ -290,8 +297,8 @@ void Bound::take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh)
 }  // namespace
 
 EdgeBound bound_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index order,
-                             const Deadline& deadline, bool is_thorough) {
-  return Bound(graph, values, order, deadline).run(is_thorough);
+                             double at_hand, const Deadline& deadline, bool is_thorough) {
+  return Bound(graph, values, order, at_hand, deadline).run(is_thorough);
 }
 
 }  // namespace hodt

@@ -160,16 +160,16 @@ void Optimizer::improve_on_first_order() {
     improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh);
     return values_.of(mesh);
   };
-  EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, problem_.deadline,
-                                            problem_.method == Method::exact);
-  if (problem_.method == Method::flip) suggestion.mesh = solution_.mesh;
   solution_.result = improve(solution_.mesh);
+  EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, solution_.result,
+                                            problem_.deadline, problem_.method == Method::exact);
+  solution_.bound = suggestion.bound;
+  if (problem_.method == Method::flip) return;
   const double other = improve(suggestion.mesh);
   if (values_.better(other, solution_.result)) {
     solution_.result = other;
     solution_.mesh = std::move(suggestion.mesh);
   }
-  solution_.bound = suggestion.bound;
 }
 
 }  // namespace
