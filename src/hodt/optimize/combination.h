@@ -30,6 +30,11 @@ class Combination {
            : objective_.aggregate == Aggregate::max ? -kInfinity
                                                     : kInfinity;
   }
+  /// What nothing is worse than.
+  double worst() const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return objective_.direction == Direction::minimize ? kInfinity : -kInfinity;
+  }
   bool better(double x, double y) const {
     return objective_.direction == Direction::minimize ? x < y : x > y;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -97,16 +98,36 @@ std::vector<double> values_best_first(const FaceProblem& face, const Combination
   return all;
 }
 
+/// No triangulation of the face does without a value as bad as this: each side has a triangle.
+double unavoidable(const FaceProblem& face, const Combination& values) {
+  std::map<std::pair<VertexId, VertexId>, double> best_at;
+  for (const auto& side : face.sides) best_at.emplace(side, values.worst());
+  for (const FaceTriangle& t : face.triangles)
+    for (Index i = 0; i < 3; ++i) {
+      const auto at = best_at.find({t.corners[i], t.corners[(i + 1) % 3]});
+      if (at != best_at.end() && values.better(t.value, at->second)) at->second = t.value;
+    }
+  double worst = values.neutral();
+  for (const auto& [side, best] : best_at) worst = values.combine(worst, best);
+  return worst;
+}
+
 /// The worst value counts: bisects for the least bad one that a triangulation can do with. That
 /// there is none without a worse triangle is proven by a bound above zero on their number.
 FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
                         const Combination& values) {
   constexpr double kSomeAreWorse = 1e-6;
   const std::vector<double> candidates = values_best_first(face, values);
-  std::size_t first = 0, last = candidates.size() - 1;  // all below `first` are proven too good
-  std::size_t proven = 0;
+  const auto place_of = [&](double value) {
+    const auto at = std::lower_bound(candidates.begin(), candidates.end(), value,
+                                     [&](double a, double b) { return values.better(a, b); });
+    return std::min(static_cast<std::size_t>(at - candidates.begin()), candidates.size() - 1);
+  };
+  std::size_t proven = place_of(unavoidable(face, values));  // all below are proven too good
+  // The value at hand needs no program.
+  std::size_t first = proven, last = std::max(place_of(face.value), proven);
   FaceSolution best;
-  while (first < last || (first == last && best.chosen.empty())) {
+  while (first < last) {
     const std::size_t middle = first + (last - first) / 2;
     std::vector<double> costs;
     for (const FaceTriangle& t : face.triangles)
@@ -123,10 +144,9 @@ FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
       first = middle + 1;
     }
   }
-  best.bound = candidates[std::min(proven, candidates.size() - 1)];
-  if (best.chosen.empty()) return best;
+  best.bound = candidates[proven];
   // With the worst value as it is, the others as good as can be.
-  double worst = face.triangles[best.chosen.front()].value;
+  double worst = best.chosen.empty() ? face.value : values.neutral();
   for (const Index t : best.chosen) worst = values.combine(worst, face.triangles[t].value);
   const double too_much = double(face.size) + 1;
   std::vector<double> costs;
