@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,73 @@ TEST(TriangleValues, are_those_of_other_formulas) {
       ASSERT_NEAR(values.of(VertexId(i), VertexId(i + 1), VertexId(i + 2)), expected,
                   tolerance(expected))
           << name_of(objective);
+    }
+  }
+}
+
+/// Side by side and one by one, before and after flips.
+TEST(TriangleValues, ranks_compare_as_values_do) {
+  for (const support::Points& points : {support::uniform(300, 8), support::lattice(17, 17)}) {
+    std::vector<double> z(points.size());
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] = double(i % 5 == 0);
+    const Delaunay d = delaunay({points, z});
+    const TriangleMesh& mesh = d.mesh;
+    std::vector<HalfEdgeId> edges;
+    for_each_inner_edge(mesh, [&](HalfEdgeId h) { edges.push_back(h); });
+    ASSERT_GT(edges.size(), 500u);  // more than go side by side
+    for (const Objective& objective : all_objectives()) {
+      const TriangleValues values(objective, d.vertices.xy, d.vertices.z);
+      std::vector<double> value;
+      const Buffer<double> all_ranks = values.ranks(mesh);
+      std::vector<double> rank(all_ranks.begin(), all_ranks.end());
+      for (Index t = 0; t < mesh.triangle_count(); ++t) {
+        const auto [a, b, c] = mesh.corners(TriangleId(t));
+        value.push_back(values.of(a, b, c));
+        EXPECT_EQ(values.of(c, b, a), value.back()) << name_of(objective);
+        EXPECT_EQ(values.of(b, a, c), value.back()) << name_of(objective);
+      }
+      std::vector<double> left(edges.size()), right(edges.size());
+      values.ranks_flipped(mesh, edges, left.data(), right.data());
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        const VertexId a = mesh.origin(edges[i]), b = mesh.target(edges[i]);
+        const VertexId c = mesh.apex(edges[i]), e = mesh.apex(mesh.twin(edges[i]));
+        value.insert(value.end(), {values.of(a, e, c), values.of(b, c, e)});
+        rank.insert(rank.end(), {left[i], right[i]});
+      }
+      if (objective.aggregate == Aggregate::sum) {
+        EXPECT_EQ(rank, value) << name_of(objective);
+        continue;
+      }
+      for (std::size_t i = 0; i + 1 < value.size(); ++i)
+        for (const std::size_t j : {i + 1, (7 * i) % value.size()}) {
+          if (std::fabs(value[i] - value[j]) <= tolerance(value[i])) continue;
+          EXPECT_EQ(rank[i] < rank[j], value[i] < value[j]) << name_of(objective);
+        }
+    }
+  }
+}
+
+TEST(TriangleValues, many_pairs_compare_as_one_does) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> few(0, 3);  // ties
+  std::array<std::vector<double>, 4> v;
+  for (auto& each : v)
+    for (int i = 0; i < 500; ++i) each.push_back(few(random));
+  for (const Objective& objective : all_objectives()) {
+    const TriangleValues values(objective, {}, {});
+    std::array<bool, 500> better;
+    values.better_pairs(500, v[0].data(), v[1].data(), v[2].data(), v[3].data(), better.data());
+    for (int i = 0; i < 500; ++i) {
+      std::array<double, 2> fresh{v[0][i], v[1][i]}, old{v[2][i], v[3][i]};
+      if (objective.aggregate == Aggregate::sum) fresh = {fresh[0] + fresh[1], 0};
+      if (objective.aggregate == Aggregate::sum) old = {old[0] + old[1], 0};
+      std::sort(fresh.begin(), fresh.end());
+      std::sort(old.begin(), old.end());
+      if (objective.aggregate == Aggregate::max) std::reverse(fresh.begin(), fresh.end());
+      if (objective.aggregate == Aggregate::max) std::reverse(old.begin(), old.end());
+      const bool expected = objective.direction == Direction::minimize ? fresh < old : fresh > old;
+      EXPECT_EQ(better[i], expected) << name_of(objective);
+      EXPECT_EQ(values.better_pair(v[0][i], v[1][i], v[2][i], v[3][i]), expected);
     }
   }
 }
