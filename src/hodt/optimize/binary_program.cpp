@@ -41,6 +41,11 @@ BinaryProgram::BinaryProgram(BinaryRows rows, std::size_t most_ones, const Deadl
       model_(Clp_newModel(), Clp_deleteModel) {}
 
 void BinaryProgram::load(const std::vector<double>& costs) {
+  is_begun_ = !low_.empty();
+  if (is_begun_) {
+    std::copy(costs.begin(), costs.end(), Clp_objective(model_.get()));
+    return;
+  }
   const std::vector<CoinBigIndex> first(rows_.first.begin(), rows_.first.end());
   low_.assign(costs.size(), 0);
   high_.assign(costs.size(), 1);
@@ -60,7 +65,9 @@ void BinaryProgram::relax(const Node& node) {
   std::copy(low_.begin(), low_.end(), Clp_columnLower(model_.get()));
   std::copy(high_.begin(), high_.end(), Clp_columnUpper(model_.get()));
   if (deadline_.is_limited()) Clp_setMaximumSeconds(model_.get(), deadline_.seconds_left());
-  if (node.fixed.empty())
+  if (node.fixed.empty() && is_begun_)
+    Clp_primal(model_.get(), 0);  // from the last optimum
+  else if (node.fixed.empty())
     Clp_initialSolve(model_.get());
   else
     Clp_dual(model_.get(), 0);

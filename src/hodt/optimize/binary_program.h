@@ -62,6 +62,7 @@ class BinaryProgram {
   const std::size_t most_programs_;
   std::unique_ptr<void, void (*)(void*)> model_;  // of Clp
   std::vector<double> low_, high_;                // of the variables, where the search is
+  bool is_begun_ = false;
 };
 
 }  // namespace hodt

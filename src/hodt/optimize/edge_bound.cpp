@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -48,6 +49,7 @@ class Bound {
         sign_(objective_.direction == Direction::minimize ? 1 : -1),
         most_(sign_ > 0 ? at_hand : std::numeric_limits<double>::infinity()) {
     find_edges();
+    programs_.resize(faces_.size());
   }
 
   EdgeBound run(bool is_thorough) && {
@@ -90,6 +92,9 @@ class Bound {
   std::vector<EdgeValues::Gradient> gradients_;  // of the triangles
   std::vector<Use> uses_;
   std::vector<Edge> edges_;
+  // Of faces that are not small, from one round to the next.
+  static constexpr std::size_t kSmall = 50;
+  std::vector<std::unique_ptr<FaceProgram>> programs_;
 };
 
 void Bound::find_edges() {
@@ -160,7 +165,7 @@ void Bound::take_back(const std::vector<FaceSolution>& solutions) {
 
 EdgeBound Bound::charge_sums(bool is_thorough) {
   // Later rounds gain little; how little is worth going on for.
-  const double worth_it = is_thorough ? 1e-4 : 0.02;
+  const double worth_it = is_thorough ? 1e-4 : 0.01;
   const int most_rounds = is_thorough ? 500 : 50;
   EdgeBound result{-std::numeric_limits<double>::infinity(), graph_.mesh};
   std::vector<FaceSolution> solutions(faces_.size());
@@ -262,7 +267,8 @@ double Bound::solve(Aggregate aggregate, std::vector<FaceSolution>& solutions) {
       if (size == 1)
         solutions[face].bound = at_hand;
       else
-        solutions[face] = faces_.solve(face, least, at_hand, deadline_, 1, polygons.mine());
+        solutions[face] = faces_.solve(face, least, at_hand, deadline_, 1, polygons.mine(),
+                                       size > kSmall ? &programs_[face] : nullptr);
       solutions[face].bound += is_sum ? double(size) * shift : shift;
     }
   });

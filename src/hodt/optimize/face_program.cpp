@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "hodt/optimize/binary_program.h"
-
 namespace hodt {
 
 namespace {
@@ -172,14 +170,16 @@ FaceSolution best_best(BinaryProgram& program, const FaceProblem& face, const Co
 
 }  // namespace
 
-FaceSolution solve_face_program(const FaceProblem& face, const Combination& values,
-                                const Deadline& deadline, std::size_t most_programs) {
-  BinaryProgram program(rows_of(face), face.size, deadline, most_programs);
+FaceProgram::FaceProgram(const FaceProblem& face, const Deadline& deadline,
+                         std::size_t most_programs)
+    : program_(rows_of(face), face.size, deadline, most_programs) {}
+
+FaceSolution FaceProgram::solve(const FaceProblem& face, const Combination& values) {
   const Objective& objective = values.objective();
-  if (objective.aggregate == Aggregate::sum) return best_sum(program, face, values);
+  if (objective.aggregate == Aggregate::sum) return best_sum(program_, face, values);
   const bool worst_counts =
       (objective.aggregate == Aggregate::max) == (objective.direction == Direction::minimize);
-  return worst_counts ? best_worst(program, face, values) : best_best(program, face, values);
+  return worst_counts ? best_worst(program_, face, values) : best_best(program_, face, values);
 }
 
 }  // namespace hodt

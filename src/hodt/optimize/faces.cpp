@@ -4,7 +4,6 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
-#include "hodt/optimize/face_program.h"
 #include "hodt/order/triangles.h"
 
 namespace hodt {
@@ -65,7 +64,7 @@ Index Faces::face_of(const Corners& t) const {
 
 FaceSolution Faces::solve(Index face, const Combination& combination, double value,
                           const Deadline& deadline, std::size_t most_programs,
-                          PolygonOptimum& polygon) {
+                          PolygonOptimum& polygon, std::unique_ptr<FaceProgram>* program) {
   std::vector<std::pair<VertexId, VertexId>> sides;
   for (const TriangleId t : places(face))
     for (Index i = 0; i < 3; ++i)
@@ -75,7 +74,10 @@ FaceSolution Faces::solve(Index face, const Combination& combination, double val
   if (std::optional<FaceSolution> best = polygon.solve(problem, combination))
     return *std::move(best);
   if (deadline.passed()) return {{}, loose_bound(problem, combination)};
-  return solve_face_program(problem, combination, deadline, most_programs);
+  std::unique_ptr<FaceProgram> own;
+  std::unique_ptr<FaceProgram>& kept = program != nullptr ? *program : own;
+  if (!kept) kept = std::make_unique<FaceProgram>(problem, deadline, most_programs);
+  return kept->solve(problem, combination);
 }
 
 }  // namespace hodt

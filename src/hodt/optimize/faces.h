@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "hodt/base/deadline.h"
 #include "hodt/optimize/combination.h"
 #include "hodt/optimize/face_problem.h"
+#include "hodt/optimize/face_program.h"
 #include "hodt/optimize/polygon_optimum.h"
 #include "hodt/order/fixed_edges.h"
 
@@ -35,9 +37,11 @@ class Faces {
 
   /// The best triangles for the face, for sums or largest or smallest values, and a bound: by
   /// dynamic programming if the face is a polygon, else by linear programs (`most_programs`),
-  /// unless time is over. `value`: of a triangulation of the face at hand.
+  /// unless time is over. `value`: of a triangulation of the face at hand. A program that is made
+  /// is left in `program`, if given, to begin with the next time.
   FaceSolution solve(Index face, const Combination& combination, double value,
-                     const Deadline& deadline, std::size_t most_programs, PolygonOptimum& polygon);
+                     const Deadline& deadline, std::size_t most_programs, PolygonOptimum& polygon,
+                     std::unique_ptr<FaceProgram>* program = nullptr);
 
  private:
   Index face_of(const std::array<VertexId, 3>& corners) const;
