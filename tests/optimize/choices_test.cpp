@@ -170,7 +170,7 @@ TEST(Choices, by_messages_are_bounded) {
       std::vector<bool> chosen(instance.count);
       double bound = 0;
       for (const auto& part : graph.parts()) {
-        const PartChoices found = choose_by_messages(graph, part);
+        const PartChoices found = choose_by_messages(graph, part, {});
         for (std::size_t i = 0; i < part.size(); ++i) chosen[part[i]] = found.chosen[i];
         bound += found.bound;
       }
@@ -187,6 +187,34 @@ TEST(Choices, by_messages_are_bounded) {
   // Dense ones of random costs are as hard as can be.
   EXPECT_GT(best, instances * 8 / 10) << instances;
   EXPECT_GT(met, instances / 2) << instances;
+}
+
+/// Costs of few values leave gaps between messages and choices, which what is settled closes.
+TEST(Choices, of_grids_with_ties_are_the_best_of_all) {
+  std::mt19937 random(11);
+  std::size_t best = 0, met = 0, asked = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Instance instance = grid(10, random);
+    for (auto& single : instance.singles) single = {0, 0};
+    for (auto& pair : instance.pairs)
+      for (auto& row : pair.costs)
+        for (double& cost : row) cost = std::floor(cost / 2);
+    for (const Objective& objective : {kObjectives[0], kObjectives[1]}) {
+      const ChoiceGraph graph = graph_of(instance, objective);
+      const auto exact = choose_by_tables(graph, graph.parts().at(0));
+      ASSERT_TRUE(exact);
+      const Choices::Result found = choices_of(instance, objective).best();
+      const double value = value_of(instance, objective, found.chosen);
+      const double sign = objective.direction == Direction::minimize ? 1 : -1;
+      EXPECT_GE(sign * value, sign * exact->bound - 1e-9);
+      EXPECT_LE(sign * found.bound, sign * exact->bound + 1e-6);
+      best += std::fabs(value - exact->bound) < 1e-6;
+      met += std::fabs(value - found.bound) < 1e-6;
+      ++asked;
+    }
+  }
+  EXPECT_EQ(best, asked);
+  EXPECT_EQ(met, asked);
 }
 
 /// Too wide for tables: what is chosen costs what is said, and the bound is close.

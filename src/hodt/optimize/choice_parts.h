@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/optimize/choice_graph.h"
 
 namespace hodt {
@@ -14,15 +15,20 @@ struct PartChoices {
   std::vector<bool> chosen;
   double bound;
   bool is_best;  // the bound is met, but for rounding
+  /// By messages, otherwise: which of them are so in all choices that are better. Or nothing.
+  std::vector<bool> settled = {};
 };
 
 /// Exact for any objective, by eliminating the choices one after another (dynamic programming along
-/// a tree decomposition). Nothing if that would take tables of more than 2^14 costs.
+/// a tree decomposition). Nothing if that would take tables of more than 2^14 costs, or of
+/// 2^20 together.
 std::optional<PartChoices> choose_by_tables(const ChoiceGraph& graph, std::span<const Index> part);
 
 /// For sums: choices that exchange messages until they agree (sequential reweighted message
 /// passing, Kolmogorov 2015), and a bound, which is mostly met.
-PartChoices choose_by_messages(const ChoiceGraph& graph, std::span<const Index> part);
+/// The deadline ends the passes.
+PartChoices choose_by_messages(const ChoiceGraph& graph, std::span<const Index> part,
+                               const Deadline& deadline);
 
 /// For largest and smallest values, exact: whether all costs can be within a limit is a question
 /// for 2-satisfiability.

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
 #include "hodt/optimize/choice_graph.h"
 #include "hodt/optimize/combination.h"
@@ -29,7 +30,8 @@ class Choices {
     double bound;
   };
   /// Exact, but for sums in parts that are far from trees (lattices): there the bound tells.
-  Result best() const;
+  /// With the deadline the messages of such a part end; the bound stays valid.
+  Result best(const Deadline& deadline = {}) const;
 
  private:
   Combination combination_;

@@ -22,7 +22,7 @@ class Messages {
   Messages(const ChoiceGraph& graph, std::span<const Index> part);
 
   /// Passes until no more is gained, and the best choices on the way.
-  PartChoices run();
+  PartChoices run(const Deadline& deadline);
 
  private:
   struct Pair {
@@ -44,6 +44,7 @@ class Messages {
   double bound() const;
   double value(const std::vector<bool>& chosen) const;
   std::vector<bool> rounded() const;
+  bool is_settled(Index place, bool chosen, double gap) const;
   void improve(std::vector<bool>& chosen) const;
   double change(Index place, const std::vector<bool>& chosen) const;
 
@@ -162,6 +163,26 @@ std::vector<bool> Messages::rounded() const {
   return chosen;
 }
 
+/// Whether with the other choice, what it and its pairs cost as they are now is more than the least
+/// they can by more than the gap: then nothing with it is better than what there is.
+bool Messages::is_settled(Index place, bool chosen, double gap) const {
+  const Node& node = nodes_[place];
+  const SingleCosts own = now(place);
+  double least = std::min(own[0], own[1]), other = own[!chosen];
+  double size = std::fabs(own[0]) + std::fabs(own[1]);
+  for (std::size_t p = node.first; p < node.last; ++p) {
+    const Pair& pair = pairs_[pairs_of_[p]];
+    SingleCosts costs{};
+    for (const bool x : kBoth)
+      costs[x] = place == pair.i ? std::min(pair.left(x, false), pair.left(x, true))
+                                 : std::min(pair.left(false, x), pair.left(true, x));
+    least += std::min(costs[0], costs[1]);
+    other += costs[!chosen];
+    size += std::fabs(costs[0]) + std::fabs(costs[1]);
+  }
+  return other - least > gap + 1e-12 * size;
+}
+
 /// What the other choice would add.
 double Messages::change(Index place, const std::vector<bool>& chosen) const {
   const Node& node = nodes_[place];
@@ -188,7 +209,7 @@ void Messages::improve(std::vector<bool>& chosen) const {
   }
 }
 
-PartChoices Messages::run() {
+PartChoices Messages::run(const Deadline& deadline) {
   constexpr int kMostPasses = 2000;
   std::vector<bool> best(nodes_.size(), false);
   improve(best);
@@ -197,7 +218,8 @@ PartChoices Messages::run() {
   for (int n = 1; n <= kMostPasses && !is_met; ++n) {
     pass(true);
     pass(false);
-    if (n % 10 != 0) continue;
+    const bool is_over = deadline.passed();
+    if (n % 10 != 0 && !is_over) continue;
     std::vector<bool> chosen = rounded();
     improve(chosen);
     if (const double v = value(chosen); v < best_value) {
@@ -207,15 +229,21 @@ PartChoices Messages::run() {
     const double before = std::exchange(best_bound, std::max(best_bound, bound()));
     const double size = std::fabs(best_value) + std::fabs(best_bound);
     is_met = best_value - best_bound <= 1e-10 * size;
-    if (best_bound - before <= 1e-8 * (best_value - best_bound)) break;
+    if (is_over || best_bound - before <= 1e-3 * (best_value - best_bound)) break;
   }
-  return {std::move(best), sign_ * std::min(best_bound, best_value), is_met};
+  PartChoices result{std::move(best), sign_ * std::min(best_bound, best_value), is_met};
+  if (is_met) return result;
+  const double gap = best_value - bound();
+  for (Index i = 0; i < nodes_.size(); ++i)
+    result.settled.push_back(is_settled(i, result.chosen[i], gap));
+  return result;
 }
 
 }  // namespace
 
-PartChoices choose_by_messages(const ChoiceGraph& graph, std::span<const Index> part) {
-  return Messages(graph, part).run();
+PartChoices choose_by_messages(const ChoiceGraph& graph, std::span<const Index> part,
+                               const Deadline& deadline) {
+  return Messages(graph, part).run(deadline);
 }
 
 }  // namespace hodt

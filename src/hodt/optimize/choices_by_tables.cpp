@@ -9,6 +9,7 @@ namespace hodt {
 namespace {
 
 constexpr std::size_t kMostWidth = 14;
+constexpr std::size_t kMostSettings = 1 << 20;  // of all tables together
 
 /// Eliminates the choice with the fewest neighbours, again and again. Its best value for every
 /// setting of its neighbours is a table over them, which joins them. Choices by their places.
@@ -41,6 +42,7 @@ class Tables {
   std::vector<Place> places_;
   std::vector<Table> tables_;
   double value_;
+  std::size_t settings_ = 0;
 };
 
 Tables::Tables(const ChoiceGraph& graph, std::span<const Index> part)
@@ -91,7 +93,8 @@ double Tables::value(Index i, bool chosen, const std::vector<Index>& scope,
 bool Tables::eliminate(Index i) {
   const Combination& c = graph_.combination();
   const std::set<Index>& around = places_[i].neighbours;
-  if (around.size() > kMostWidth) return false;
+  settings_ += std::size_t(1) << around.size();
+  if (around.size() > kMostWidth || settings_ > kMostSettings) return false;
   Table table{i, {around.begin(), around.end()}, {}, {}};
   const std::size_t settings = std::size_t(1) << table.scope.size();
   for (std::size_t setting = 0; setting < settings; ++setting) {

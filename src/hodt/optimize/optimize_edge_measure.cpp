@@ -109,7 +109,7 @@ void Optimizer::choose_diagonals() {
   find_quadrilaterals();
   Choices choices(values_, static_cast<Index>(quadrilaterals_.size()));
   const double constant = add_costs(choices);
-  const Choices::Result best = choices.best();
+  const Choices::Result best = choices.best(problem_.deadline);
   for (Index q = 0; q < quadrilaterals_.size(); ++q)
     if (best.chosen[q]) solution_.mesh.flip(quadrilaterals_[q].diagonal);
   const auto in_all = [&](double cost_of_choices) {
