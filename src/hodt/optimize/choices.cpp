@@ -82,7 +82,7 @@ PartChoices best_of(const ChoiceGraph& graph, std::span<const Index> part,
   const PartChoices best = choose_by_messages(graph, part, deadline);
   if (best.is_best || deadline.passed()) return best;
   const auto settled = std::count(best.settled.begin(), best.settled.end(), true);
-  if (static_cast<std::size_t>(settled) > part.size() / 4)
+  if (static_cast<std::size_t>(settled) > part.size() / 16)
     return best_of_open(graph, part, best, deadline);
   if (std::optional<PartChoices> exact = choose_by_tables(graph, part)) return *std::move(exact);
   return best;
