@@ -42,7 +42,7 @@ class ChoiceGraph {
   const SingleCosts& single(Index i) const { return singles_[i]; }
   const ChoicePair& pair(Index p) const { return pairs_[p]; }
   /// The pairs that the choice is in, with choices not yet eliminated.
-  std::span<const Link> links(Index i) const { return {&links_[first_[i]], degree_[i]}; }
+  std::span<const Link> links(Index i) const { return {links_.data() + first_[i], degree_[i]}; }
   bool is_eliminated(Index i) const { return degree_[i] == kEliminated; }
 
   /// The choices not yet eliminated, in parts that do not depend on each other.
