@@ -62,8 +62,21 @@ std::vector<T> parallel_collect(std::size_t begin, std::size_t end, std::size_t 
   return all;
 }
 
-/// The same passed to `sink` in pieces of the result, each of `batch` elements of [begin, end):
-/// only one is in memory at a time.
+/// The sum of what f(first, last) returns for each piece of [begin, end) of `grain` elements, added
+/// up in the order of the pieces.
+template <class F>
+double parallel_sum(std::size_t begin, std::size_t end, std::size_t grain, const F& f) {
+  double sum = 0;
+  for (const double part : parallel_collect<double>(
+           begin, end, grain, [&](std::size_t first, std::size_t last, std::vector<double>&found) {
+             found.push_back(f(first, last));
+           }))
+    sum += part;
+  return sum;
+}
+
+/// What parallel_collect finds passed to `sink` in pieces of the result, each of `batch` elements
+/// of [begin, end): only one is in memory at a time.
 template <class T, class F, class Sink>
 void parallel_stream(std::size_t begin, std::size_t end, std::size_t batch, std::size_t grain,
                      const F& f, const Sink& sink) {

@@ -20,9 +20,10 @@ Buffer<HalfEdgeId> outgoing_halfedges(const TriangleMesh& mesh) {
   Buffer<HalfEdgeId> outgoing(mesh.vertex_count(), HalfEdgeId());
   // The first of each vertex, and after these what is on the boundary: a branch on whether there is
   // one already would go the wrong way for every vertex.
-  for (auto i = static_cast<Index>(mesh.halfedge_count()); i-- > 0;)
-    outgoing[mesh.origin(HalfEdgeId(i))] = HalfEdgeId(i);
-  for_each_boundary_halfedge(mesh, [&](HalfEdgeId h) { outgoing[mesh.origin(h)] = h; });
+  const auto count = static_cast<Index>(mesh.halfedge_count());
+  for (Index i = count; i-- > 0;) outgoing[mesh.origin(HalfEdgeId(i))] = HalfEdgeId(i);
+  for (Index i = 0; i < count; ++i)
+    if (const HalfEdgeId h(i); mesh.is_boundary(h)) outgoing[mesh.origin(h)] = h;
   return outgoing;
 }
 

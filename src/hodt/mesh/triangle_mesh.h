@@ -93,13 +93,6 @@ void for_each_inner_edge(const TriangleMesh& mesh, const F& f) {
   }
 }
 
-/// Calls f(h) for every half-edge on the boundary, ascending.
-template <class F>
-void for_each_boundary_halfedge(const TriangleMesh& mesh, const F& f) {
-  for (Index i = 0; i < mesh.halfedge_count(); ++i)
-    if (mesh.is_boundary(HalfEdgeId(i))) f(HalfEdgeId(i));
-}
-
 /// Calls f(h) for every half-edge that leaves the origin of `start`, counter-clockwise; `start` as
 /// outgoing_halfedges gives it. At a boundary vertex the last boundary edge has no such half-edge:
 /// it is the prev of the last one.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
@@ -300,13 +300,22 @@ double TriangleValues::of(const TriangleMesh& mesh, std::span<const double> rank
     const auto [a, b, c] = mesh.corners(TriangleId(Index(decisive)));
     return of(a, b, c);
   }
-  double sum = 0;
-  for (const double rank : ranks) sum += rank;
-  if (objective().measure == Measure::length)
-    for_each_boundary_halfedge(mesh, [&](HalfEdgeId h) {
-      sum += finite(distance(xy_[mesh.origin(h)], xy_[mesh.target(h)])) / 2;
-    });
-  return sum;
+  const double sum =
+      parallel_sum(0, ranks.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
+        return std::accumulate(ranks.data() + first, ranks.data() + last, 0.0);
+      });
+  return objective().measure == Measure::length ? sum + half_boundary_length(mesh) : sum;
+}
+
+/// What is missing when the edges of all triangles count half.
+double TriangleValues::half_boundary_length(const TriangleMesh& mesh) const {
+  return parallel_sum(0, mesh.halfedge_count(), 1 << 16, [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (auto h = HalfEdgeId(Index(first)); h < last; h = HalfEdgeId(h + 1))
+      if (mesh.is_boundary(h))
+        sum += finite(distance(xy_[mesh.origin(h)], xy_[mesh.target(h)])) / 2;
+    return sum;
+  });
 }
 
 }  // namespace hodt

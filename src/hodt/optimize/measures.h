@@ -48,6 +48,7 @@ class TriangleValues : public Combination {
  private:
   template <class F>
   void with_rank(const F& f) const;
+  double half_boundary_length(const TriangleMesh& mesh) const;
 
   bool is_flat_area_;
   std::span<const Point> xy_;

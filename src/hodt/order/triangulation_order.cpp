@@ -20,11 +20,13 @@ VertexId lost_corner(const std::array<VertexId, 3>& before, const std::array<Ver
 }  // namespace
 
 std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const TriangleMesh& mesh) {
-  std::vector<TriangleId> changed;
-  for (Index i = 0; i < mesh.triangle_count(); ++i)
-    if (mesh.corners(TriangleId(i)) != graph.mesh.corners(TriangleId(i)))
-      changed.push_back(TriangleId(i));
-
+  const auto find_changed = [&](std::size_t first, std::size_t last,
+                                std::vector<TriangleId>& found) {
+    for (auto t = TriangleId(Index(first)); t < last; t = TriangleId(t + 1))
+      if (mesh.corners(t) != graph.mesh.corners(t)) found.push_back(t);
+  };
+  const std::vector<TriangleId> changed =
+      parallel_collect<TriangleId>(0, mesh.triangle_count(), 1 << 14, find_changed);
   std::vector<Index> orders(changed.size());
   PerThread<CircleCounter> counters([&] { return CircleCounter(graph); });
   parallel_for(0, changed.size(), 256, [&](std::size_t first, std::size_t last) {
