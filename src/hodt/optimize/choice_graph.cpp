@@ -7,8 +7,8 @@ namespace hodt {
 
 void ChoicePair::add(const Combination& combination, Index from,
                      const std::array<SingleCosts, 2>& more) {
-  for (const bool x : {false, true})
-    for (const bool y : {false, true}) {
+  for (const bool x : kBoth)
+    for (const bool y : kBoth) {
       double& cost = from == i ? costs[x][y] : costs[y][x];
       cost = combination.combine(cost, more[x][y]);
     }
@@ -76,7 +76,7 @@ double ChoiceGraph::eliminate(Index i) {
     decided = best(0, without, with);
   } else if (others.size() == 1) {
     const Index j = decision.j = others[0].to;
-    for (const bool x : {false, true}) {
+    for (const bool x : kBoth) {
       const double value = best(x, c.combine(without, cost(i, false, others[0], x)),
                                 c.combine(with, cost(i, true, others[0], x)));
       singles_[j][x] = c.combine(singles_[j][x], value);
@@ -85,8 +85,8 @@ double ChoiceGraph::eliminate(Index i) {
   } else {
     const Index j = decision.j = others[0].to, k = decision.k = others[1].to;
     std::array<SingleCosts, 2> costs{};
-    for (const bool x : {false, true})
-      for (const bool y : {false, true}) {
+    for (const bool x : kBoth)
+      for (const bool y : kBoth) {
         const auto cost_if = [&](bool chosen, double single) {
           return c.combine(single,
                            c.combine(cost(i, chosen, others[0], x), cost(i, chosen, others[1], y)));

@@ -12,6 +12,8 @@
 
 namespace hodt {
 
+inline constexpr std::array<bool, 2> kBoth{false, true};
+
 /// What a choice costs if it is 0 or 1.
 using SingleCosts = std::array<double, 2>;
 

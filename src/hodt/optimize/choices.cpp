@@ -21,22 +21,18 @@ void Choices::add(Index i, Index j, const std::array<SingleCosts, 2>& costs) {
 
 namespace {
 
-PartChoices best_of(const ChoiceGraph& graph, std::span<const Index> part,
-                    const Deadline& deadline);
-
 /// Where messages leave a gap: the best of the choices that are not settled. What is settled is so
 /// in all that could be better.
 PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
                          const PartChoices& known, const Deadline& deadline) {
   const Combination& c = graph.combination();
-  const auto place = [&](Index choice) {
-    return static_cast<Index>(std::lower_bound(part.begin(), part.end(), choice) - part.begin());
-  };
   std::vector<Index> open, number(part.size(), kNone);
+  std::vector<bool> chosen_before;  // of the open ones
   for (Index i = 0; i < part.size(); ++i) {
     if (known.settled[i]) continue;
     number[i] = static_cast<Index>(open.size());
     open.push_back(i);
+    chosen_before.push_back(known.chosen[i]);
   }
   Choices rest(c, static_cast<Index>(open.size()));
   double settled_cost = c.neutral();
@@ -48,7 +44,7 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
       rest.add(number[i], graph.single(part[i]));
     for (const ChoiceGraph::Link& link : graph.links(part[i])) {
       const ChoicePair& pair = graph.pair(link.pair);
-      const Index j = place(link.to);
+      const Index j = place_in(part, link.to);
       const bool y = known.chosen[j];
       if (number[i] != kNone && number[j] == kNone)
         rest.add(number[i], {pair.cost(part[i], false, y), pair.cost(part[i], true, y)});
@@ -62,12 +58,7 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
   }
   const Choices::Result found = rest.best(deadline);
   PartChoices result = known;
-  const double before = rest.value([&] {
-    std::vector<bool> chosen;
-    for (const Index i : open) chosen.push_back(known.chosen[i]);
-    return chosen;
-  }());
-  const bool is_better = c.better(rest.value(found.chosen), before);
+  const bool is_better = c.better(rest.value(found.chosen), rest.value(chosen_before));
   for (std::size_t n = 0; n < open.size() && is_better; ++n)
     result.chosen[open[n]] = found.chosen[n];
   const double bound = c.combine(settled_cost, found.bound);

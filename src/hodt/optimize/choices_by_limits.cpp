@@ -7,8 +7,6 @@ namespace hodt {
 
 namespace {
 
-constexpr std::array<bool, 2> kBoth{false, true};
-
 /// Whether all costs can be no worse than a limit. Each cost that is worse excludes a choice or a
 /// pair of choices, so that one implies another: what follows from a choice made is decided, and if
 /// that leads to a contradiction, so it is from the opposite; if both do, there is no way. (What
@@ -36,9 +34,6 @@ class WithinLimit {
   enum State : std::uint8_t { kFalse, kTrue, kOpen };
 
   bool is_worse(double cost) const { return graph_.combination().better(limit_, cost); }
-  Index place(Index choice) const {
-    return static_cast<Index>(std::lower_bound(part_.begin(), part_.end(), choice) - part_.begin());
-  }
 
   /// Decides i and all that follows; nothing if that is a contradiction.
   bool follows(Index i, bool x) {
@@ -56,7 +51,7 @@ class WithinLimit {
     const bool x = state_[i] == kTrue;
     if (is_worse(graph_.single(part_[i])[x])) return false;
     for (const ChoiceGraph::Link& link : graph_.links(part_[i])) {
-      const Index j = place(link.to);
+      const Index j = place_in(part_, link.to);
       for (const bool y : kBoth) {
         if (!is_worse(graph_.pair(link.pair).cost(part_[i], x, y))) continue;
         if (state_[j] == State(y)) return false;
@@ -113,8 +108,7 @@ PartChoices best_best(const ChoiceGraph& graph, std::span<const Index> part) {
         for (const bool y : kBoth)
           if (graph.pair(link.pair).cost(part[i], x, y) == best) {
             choose();
-            const auto j = std::lower_bound(part.begin(), part.end(), link.to) - part.begin();
-            result.chosen[static_cast<std::size_t>(j)] = y;
+            result.chosen[place_in(part, link.to)] = y;
             return result;
           }
     }
@@ -124,10 +118,7 @@ PartChoices best_best(const ChoiceGraph& graph, std::span<const Index> part) {
 }  // namespace
 
 PartChoices choose_by_limits(const ChoiceGraph& graph, std::span<const Index> part) {
-  const Objective& objective = graph.combination().objective();
-  const bool worst_counts =
-      (objective.aggregate == Aggregate::max) == (objective.direction == Direction::minimize);
-  return worst_counts ? best_worst(graph, part) : best_best(graph, part);
+  return graph.combination().worst_counts() ? best_worst(graph, part) : best_best(graph, part);
 }
 
 }  // namespace hodt

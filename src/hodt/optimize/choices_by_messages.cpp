@@ -10,8 +10,6 @@ namespace hodt {
 
 namespace {
 
-constexpr std::array<bool, 2> kBoth{false, true};
-
 /// Every pair lends each of its two choices an amount for 0 and one for 1, its message. Whatever
 /// these are, the costs as they are now (with what was borrowed, less what was lent) add up to the
 /// same for all choices together, so the least that each can be bounds the sum. A pass goes through
@@ -31,7 +29,16 @@ class Messages {
     std::array<SingleCosts, 2> lent;  // to i, to j
 
     SingleCosts& lent_to(Index place) { return lent[place == i ? 0 : 1]; }
+    const SingleCosts& lent_to(Index place) const { return lent[place == i ? 0 : 1]; }
     double left(bool x, bool y) const { return costs[x][y] - lent[0][x] - lent[1][y]; }
+    /// The least that is left for each x of one of the two.
+    SingleCosts least(Index place) const {
+      SingleCosts least;
+      for (const bool x : kBoth)
+        least[x] = place == i ? std::min(left(x, false), left(x, true))
+                              : std::min(left(false, x), left(true, x));
+      return least;
+    }
   };
   struct Node {
     SingleCosts cost;
@@ -55,14 +62,11 @@ class Messages {
 };
 
 Messages::Messages(const ChoiceGraph& graph, std::span<const Index> part)
-    : sign_(graph.combination().objective().direction == Direction::minimize ? 1 : -1) {
-  const auto place = [&](Index choice) {
-    return static_cast<Index>(std::lower_bound(part.begin(), part.end(), choice) - part.begin());
-  };
+    : sign_(graph.combination().sign()) {
   std::vector<std::vector<Index>> earlier(part.size()), later(part.size());
   for (Index i = 0; i < part.size(); ++i)
     for (const ChoiceGraph::Link& link : graph.links(part[i])) {
-      const Index j = place(link.to);
+      const Index j = place_in(part, link.to);
       if (j < i) continue;
       Pair pair{i, j, {}, {}};
       for (const bool x : kBoth)
@@ -88,19 +92,17 @@ SingleCosts Messages::now(Index place) const {
   SingleCosts cost = node.cost;
   for (std::size_t p = node.first; p < node.last; ++p) {
     const Pair& pair = pairs_[pairs_of_[p]];
-    for (const bool x : kBoth) cost[x] += pair.lent[place == pair.i ? 0 : 1][x];
+    for (const bool x : kBoth) cost[x] += pair.lent_to(place)[x];
   }
   return cost;
 }
 
 /// The least that the pair costs for each x is lent to the choice.
 void Messages::take_back(Pair& pair, Index place, SingleCosts& own) const {
-  const bool is_first = place == pair.i;
+  const SingleCosts least = pair.least(place);
   for (const bool x : kBoth) {
-    const double least = is_first ? std::min(pair.left(x, false), pair.left(x, true))
-                                  : std::min(pair.left(false, x), pair.left(true, x));
-    pair.lent_to(place)[x] += least;
-    own[x] += least;
+    pair.lent_to(place)[x] += least[x];
+    own[x] += least[x];
   }
 }
 
@@ -172,10 +174,7 @@ bool Messages::is_settled(Index place, bool chosen, double gap) const {
   double size = std::fabs(own[0]) + std::fabs(own[1]);
   for (std::size_t p = node.first; p < node.last; ++p) {
     const Pair& pair = pairs_[pairs_of_[p]];
-    SingleCosts costs{};
-    for (const bool x : kBoth)
-      costs[x] = place == pair.i ? std::min(pair.left(x, false), pair.left(x, true))
-                                 : std::min(pair.left(false, x), pair.left(true, x));
+    const SingleCosts costs = pair.least(place);
     least += std::min(costs[0], costs[1]);
     other += costs[!chosen];
     size += std::fabs(costs[0]) + std::fabs(costs[1]);

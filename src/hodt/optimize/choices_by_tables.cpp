@@ -31,9 +31,6 @@ class Tables {
     std::vector<Index> tables;  // that have it in their scope
     bool is_done = false;
   };
-  Index place(Index choice) const {
-    return static_cast<Index>(std::lower_bound(part_.begin(), part_.end(), choice) - part_.begin());
-  }
   bool eliminate(Index i);
   double value(Index i, bool chosen, const std::vector<Index>& scope, std::size_t setting) const;
 
@@ -49,7 +46,7 @@ Tables::Tables(const ChoiceGraph& graph, std::span<const Index> part)
     : graph_(graph), part_(part), places_(part.size()), value_(graph.combination().neutral()) {
   for (Index i = 0; i < part.size(); ++i)
     for (const ChoiceGraph::Link& link : graph.links(part[i]))
-      places_[i].neighbours.insert(place(link.to));
+      places_[i].neighbours.insert(place_in(part_, link.to));
 }
 
 bool Tables::eliminate_all() {
@@ -76,7 +73,7 @@ double Tables::value(Index i, bool chosen, const std::vector<Index>& scope,
   };
   double value = graph_.single(part_[i])[chosen];
   for (const ChoiceGraph::Link& link : graph_.links(part_[i])) {
-    const Index j = place(link.to);
+    const Index j = place_in(part_, link.to);
     if (places_[j].is_done) continue;  // in a table
     value = c.combine(value, graph_.pair(link.pair).cost(part_[i], chosen, is_set(j)));
   }

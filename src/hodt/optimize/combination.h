@@ -38,6 +38,13 @@ class Combination {
   bool better(double x, double y) const {
     return objective_.direction == Direction::minimize ? x < y : x > y;
   }
+  /// 1 to minimize and -1 to maximize: times it, less is better.
+  double sign() const { return objective_.direction == Direction::minimize ? 1 : -1; }
+  /// Whether the worst of all values counts (the largest to minimize, the smallest to maximize).
+  bool worst_counts() const {
+    return objective_.aggregate ==
+           (objective_.direction == Direction::minimize ? Aggregate::max : Aggregate::min);
+  }
   const Objective& objective() const { return objective_; }
 
   /// For largest and smallest values: what a single value adds to the cost of all those that do not

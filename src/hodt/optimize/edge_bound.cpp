@@ -46,7 +46,7 @@ class Bound {
         deadline_(deadline),
         faces_(graph, order),
         objective_(values.objective()),
-        sign_(objective_.direction == Direction::minimize ? 1 : -1),
+        sign_(values.sign()),
         most_(sign_ > 0 ? at_hand : std::numeric_limits<double>::infinity()) {
     find_edges();
     programs_.resize(faces_.size());
@@ -55,9 +55,7 @@ class Bound {
   EdgeBound run(bool is_thorough) && {
     if (objective_.aggregate == Aggregate::sum) return charge_sums(is_thorough);
     EdgeBound result{0, graph_.mesh};
-    const bool worst_counts =
-        (objective_.aggregate == Aggregate::max) == (objective_.direction == Direction::minimize);
-    result.bound = worst_counts ? least_largest(result.mesh) : best_pair();
+    result.bound = values_.worst_counts() ? least_largest(result.mesh) : best_pair();
     return result;
   }
 

@@ -69,7 +69,7 @@ double enough(const FaceProblem& face) {
 }
 
 FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face, const Combination& values) {
-  const double sign = values.objective().direction == Direction::minimize ? 1 : -1;
+  const double sign = values.sign();
   // A triangle that costs more than all of a triangulation at hand is never worth it, however much
   // more, and a sliver's circumradius would spoil the scale.
   const double most = sign > 0 ? face.value : std::numeric_limits<double>::infinity();
@@ -175,11 +175,9 @@ FaceProgram::FaceProgram(const FaceProblem& face, const Deadline& deadline,
     : program_(rows_of(face), face.size, deadline, most_programs) {}
 
 FaceSolution FaceProgram::solve(const FaceProblem& face, const Combination& values) {
-  const Objective& objective = values.objective();
-  if (objective.aggregate == Aggregate::sum) return best_sum(program_, face, values);
-  const bool worst_counts =
-      (objective.aggregate == Aggregate::max) == (objective.direction == Direction::minimize);
-  return worst_counts ? best_worst(program_, face, values) : best_best(program_, face, values);
+  if (values.objective().aggregate == Aggregate::sum) return best_sum(program_, face, values);
+  return values.worst_counts() ? best_worst(program_, face, values)
+                               : best_best(program_, face, values);
 }
 
 }  // namespace hodt

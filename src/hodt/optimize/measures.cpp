@@ -158,9 +158,9 @@ HODT_INLINE bool is_better_pair(double sign, double a1, double a2, double b1, do
 
 /// Calls f with the comparison that the objective makes.
 template <class F>
-void with_better_pair(const Objective& objective, const F& f) {
-  const double sign = objective.direction == Direction::minimize ? 1 : -1;
-  switch (objective.aggregate) {
+void with_better_pair(const Combination& combination, const F& f) {
+  const double sign = combination.sign();
+  switch (combination.objective().aggregate) {
     case Aggregate::sum:
       return f([sign](auto... values)
                    HODT_INLINE_LAMBDA { return is_better_pair<Aggregate::sum>(sign, values...); });
@@ -171,11 +171,6 @@ void with_better_pair(const Objective& objective, const F& f) {
       return f([sign](auto... values)
                    HODT_INLINE_LAMBDA { return is_better_pair<Aggregate::min>(sign, values...); });
   }
-}
-
-HODT_INLINE double bounded(double value) {
-  constexpr double kLargest = 1e150;
-  return value < kLargest ? value : value >= kLargest ? kLargest : 0;  // 0: not a number
 }
 
 /// Triangles or quadrilaterals side by side.
@@ -196,7 +191,7 @@ class Block {
                double* values) const {
     run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
       for (std::size_t i = 0; i < size; ++i)
-        values[i] = bounded(measure(corner(a, i), corner(b, i), corner(c, i)));
+        values[i] = finite(measure(corner(a, i), corner(b, i), corner(c, i)));
     });
   }
 
@@ -208,15 +203,11 @@ class Block {
 
 }  // namespace
 
-double finite(double value) {
-  return bounded(value);
-}
-
 double TriangleValues::of(VertexId a, VertexId b, VertexId c) const {
   if (is_flat_area_ && !(z_[a] == z_[b] && z_[b] == z_[c])) return 0;
   double value = 0;
   with_measure<false>(
-      objective(), [&](const auto& measure) { value = bounded(measure(xy_[a], xy_[b], xy_[c])); });
+      objective(), [&](const auto& measure) { value = finite(measure(xy_[a], xy_[b], xy_[c])); });
   return value;
 }
 
@@ -278,13 +269,13 @@ void TriangleValues::ranks_flipped(const TriangleMesh& mesh, std::span<const Hal
 
 bool TriangleValues::better_pair(double a1, double a2, double b1, double b2) const {
   bool is_better = false;
-  with_better_pair(objective(), [&](const auto& better) { is_better = better(a1, a2, b1, b2); });
+  with_better_pair(*this, [&](const auto& better) { is_better = better(a1, a2, b1, b2); });
   return is_better;
 }
 
 void TriangleValues::better_pairs(std::size_t count, const double* a1, const double* a2,
                                   const double* b1, const double* b2, bool* is_better) const {
-  with_better_pair(objective(), [&](const auto& better) {
+  with_better_pair(*this, [&](const auto& better) {
     run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
       for (std::size_t i = 0; i < count; ++i) is_better[i] = better(a1[i], a2[i], b1[i], b2[i]);
     });

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hodt/base/buffer.h"
+#include "hodt/base/lanes.h"
 #include "hodt/geometry/point.h"
 #include "hodt/mesh/triangle_mesh.h"
 #include "hodt/optimize/combination.h"
@@ -13,7 +14,10 @@ namespace hodt {
 
 /// Where rounding leaves no area, or coordinates are huge, values can be infinite or undefined.
 /// Then they are 1e150 or 0.
-double finite(double value);
+HODT_INLINE double finite(double value) {
+  constexpr double kLargest = 1e150;
+  return value < kLargest ? value : value >= kLargest ? kLargest : 0;  // 0: not a number
+}
 
 /// Values of triangles for an objective of kind measured, and how they combine. `z` may be empty
 /// unless the measure needs heights. A view: the points and heights must outlive it.
