@@ -66,12 +66,11 @@ std::vector<T> parallel_collect(std::size_t begin, std::size_t end, std::size_t 
 /// up in the order of the pieces.
 template <class F>
 double parallel_sum(std::size_t begin, std::size_t end, std::size_t grain, const F& f) {
+  const auto add_up = [&](std::size_t first, std::size_t last, std::vector<double>& found) {
+    found.push_back(f(first, last));
+  };
   double sum = 0;
-  for (const double part : parallel_collect<double>(
-           begin, end, grain, [&](std::size_t first, std::size_t last, std::vector<double>&found) {
-             found.push_back(f(first, last));
-           }))
-    sum += part;
+  for (const double part : parallel_collect<double>(begin, end, grain, add_up)) sum += part;
   return sum;
 }
 
