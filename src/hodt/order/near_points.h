@@ -65,7 +65,7 @@ class NearPoints {
   // above what underflow can do, with images of at least 2^-55.
   static constexpr float kSlack = 16 * 0x1p-24f;
   static constexpr float kTiny = 0x1p-90f;
-  static constexpr double kMostSquared = 0x1p+110;
+  static constexpr float kMostSquared = 0x1p+110f;
 
   Index size_ = 1;
   Set larger_;
@@ -77,7 +77,6 @@ class NearPoints {
 
 template <Index kWords>
 HODT_INLINE void NearPoints<kWords>::clear(double nearest) {
-  for (auto* array : {&image_x_, &image_y_, &rounding_}) std::fill_n(array->data(), size_, 0.0f);
   size_ = 1;
   larger_ = {};
   scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(nearest), -1020, 1000));
@@ -88,26 +87,45 @@ HODT_INLINE void NearPoints<kWords>::set(Index i, const Point& offset) {
   x_[i] = scale_ * offset.x;
   y_[i] = scale_ * offset.y;
   // Not after scaling, which may lose what is tiny beside the rest.
-  const bool is_right = offset.x > 0, is_above = offset.x == 0 && offset.y > 0;
-  if (is_right | is_above) larger_ |= Set::only(i);
+  const bool is_larger = (offset.x > 0) | ((offset.x == 0) & (offset.y > 0));
+  larger_.word(i / 64) |= std::uint64_t{is_larger} << i % 64;
 }
 
 template <Index kWords>
 template <Index N>
 HODT_INLINE bool NearPoints<kWords>::add(Index size) {
-  bool is_near = true;
-  for (Index i = size_; i < size; ++i) {
-    const double r = x_[i] * x_[i] + y_[i] * y_[i];
-    is_near &= r < kMostSquared;
-    r_[i] = r;
-    const auto x = static_cast<float>(x_[i]), y = static_cast<float>(y_[i]);
-    const float inverse = 1 / static_cast<float>(r);
-    image_x_[i] = x * inverse;
-    image_y_[i] = y * inverse;
-    rounding_[i] = kSlack * (std::fabs(image_x_[i]) + std::fabs(image_y_[i])) + kTiny;
+  // As many as there are double lanes; up to where split's blocks end.
+  constexpr Index kLanes = N / 2;
+  using Doubles [[gnu::vector_size(kLanes * sizeof(double))]] = double;
+  using Floats = typename Lanes<kLanes>::Floats;
+  using Bits = typename Lanes<kLanes>::Bits;
+  Bits number, is_far = {};
+  for (Index i = 0; i < kLanes; ++i) number[i] = static_cast<std::int32_t>(i);
+  for (Index i = size_ / kLanes * kLanes; i < (size + N - 1) / N * N; i += kLanes) {
+    Doubles x, y;
+    load(x, &x_[i]);
+    load(y, &y_[i]);
+    const Doubles r = x * x + y * y;
+    store(&r_[i], r);
+    const Floats r_single = __builtin_convertvector(r, Floats), inverse = 1 / r_single;
+    Floats image_x = __builtin_convertvector(x, Floats) * inverse;
+    Floats image_y = __builtin_convertvector(y, Floats) * inverse;
+    Floats rounding =
+        kSlack * ((image_x < 0 ? -image_x : image_x) + (image_y < 0 ? -image_y : image_y)) + kTiny;
+    const Bits place = number + static_cast<std::int32_t>(i);
+    const Bits is_taken = (place > 0) & (place < static_cast<std::int32_t>(size));
+    is_far |= is_taken & (r_single >= kMostSquared);
+    image_x = is_taken ? image_x : Floats{};
+    image_y = is_taken ? image_y : Floats{};
+    rounding = is_taken ? rounding : Floats{};
+    store(&image_x_[i], image_x);
+    store(&image_y_[i], image_y);
+    store(&rounding_[i], rounding);
   }
   size_ = size;
-  return is_near;
+  std::int32_t far[kLanes];
+  store(&far[0], is_far);
+  return fold<kLanes>(&far[0], [](const auto& a, const auto& b, auto& c) { c = a | b; }) == 0;
 }
 
 template <Index kWords>

@@ -1,6 +1,7 @@
 #include "hodt/order/window_walk.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hodt/base/lanes.h"
 #include "hodt/geometry/circle.h"
@@ -11,11 +12,12 @@ namespace hodt {
 /// No points but u.
 template <Index kWords>
 void WindowWalk<kWords>::forget() {
-  if (++round_ >= kNone / Set::kMost) {
-    places_.fill(0);
-    round_ = 1;
+  if (first_place_ < kPlaces) {
+    places_.fill(kNone);
+    first_place_ = kNone;
   }
-  places_[u_] = round_ * Set::kMost;
+  first_place_ -= kPlaces;
+  places_[u_] = first_place_;
   vertices_[0] = u_;
   size_ = 1;
   expanded_ = {};
@@ -26,14 +28,14 @@ void WindowWalk<kWords>::forget() {
 /// code in lanes had better be made for the same processor, or do without.)
 template <Index kWords>
 Index WindowWalk<kWords>::place_of(VertexId v) {
-  const std::uint32_t known = places_[v];
-  if (known / Set::kMost == round_) return known % Set::kMost;
+  const Index known = places_[v] - first_place_;
+  if (known < kPlaces) return known;
   if (size_ == Set::kMost) {
     is_full_ = true;
     return 0;
   }
   vertices_[size_] = v;
-  places_[v] = round_ * Set::kMost + size_;
+  places_[v] = first_place_ + size_;
   return size_++;
 }
 
@@ -42,7 +44,20 @@ template <Index kWords>
 bool WindowWalk<kWords>::expand(Index place) {
   if (graph_.has_many_neighbours(vertices_[place])) return false;
   expanded_ |= Set::only(place);
-  graph_.for_each_neighbour(vertices_[place], [&](VertexId w) { place_of(w); });
+  // Which of them have places is a matter of chance: so no branch on it.
+  std::uint32_t* const places = places_.data();
+  VertexId* const vertices = vertices_.data();
+  const std::uint32_t first = first_place_;
+  Index size = size_;
+  graph_.for_each_neighbour(vertices_[place], [&](VertexId w) {
+    if (size > Set::kMost) return;
+    const std::uint32_t known = places[w], next = first + size;
+    vertices[size] = w;
+    places[w] = std::min(known, next);
+    size += Index{known > next};
+  });
+  is_full_ |= size > Set::kMost;
+  size_ = std::min(size, Set::kMost);
   return true;
 }
 
@@ -56,6 +71,15 @@ HODT_INLINE void WindowWalk<kWords>::take_up() {
   if (!points_.template add<N>(size_)) is_full_ = true;
 }
 
+/// For two more windows.
+template <Index kWords>
+void WindowWalk<kWords>::make_room() {
+  if (opened_ + 2 <= windows_.size()) return;
+  std::copy(windows_.data() + passed_, windows_.data() + opened_, windows_.data());
+  opened_ -= std::exchange(passed_, 0);
+  if (opened_ + 2 > windows_.size() / 2) windows_.resize(2 * windows_.size());
+}
+
 /// Adds a window unless nothing can come of it. That is a matter of chance: so no branch on it.
 template <Index kWords>
 HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
@@ -63,8 +87,8 @@ HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
                        // What is between two rays to larger vertices is larger itself.
                        (is_sought(window.sight.left_ray) | is_sought(window.sight.right_ray)) &
                        window.beyond.valid();
-  open_[open_count_] = window;
-  open_count_ += static_cast<std::size_t>(is_open);
+  windows_[opened_] = window;
+  opened_ += static_cast<std::size_t>(is_open);
 }
 
 /// The window through the edge across from u in the triangle that h, from u, belongs to.
@@ -192,7 +216,7 @@ HODT_INLINE void WindowWalk<kWords>::pass(const Window& window) {
   const Set inside_right = window.inside_right | (left_circle.in & ray.out);
   const Set inside_left = window.inside_left | (right_circle.in & ray.in);
   if (std::max(inside_left.count(), inside_right.count()) <= k_ && is_sought(w))
-    candidate_ = {vertex, w, window.left, window.right, ray};
+    candidate_ = {vertex, w, window.left, window.right, size_, left_circle, right_circle, ray};
   open_through(to_left, window.left, w,
                {sight.left_ray, w, sight.beyond_left, sight.within & ray.in, ray.out}, left_circle);
   open_through(to_right, w, window.right,
@@ -206,9 +230,9 @@ void WindowWalk<kWords>::begin(VertexId u, Index k, Towards towards) {
   k_ = k;
   towards_ = towards;
   nearest_ = graph_.nearest(u);
-  open_count_ = 0;
+  passed_ = opened_ = 0;
   forget();
-  if (open_.empty()) open_.resize(Set::kMost);
+  if (windows_.empty()) windows_.resize(Set::kMost);
   if (expand(0) && !is_full_) {
     next_ = HalfEdgeId();
     points_.clear(nearest_);
@@ -224,14 +248,14 @@ bool WindowWalk<kWords>::find_next() {
   candidate_.vertex = VertexId();
   run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA {
     while (!is_full_ && !candidate_.vertex.valid()) {
-      if (open_count_ == 0) {
+      if (passed_ == opened_) {
+        passed_ = opened_ = 0;
         if (!next_.valid()) break;
         begin_at_next<N>();
         continue;
       }
-      // One is taken, two come at the most.
-      if (open_.size() < open_count_ + 2) open_.resize(2 * open_.size());
-      const Window window = open_[--open_count_];
+      make_room();
+      const Window window = windows_[passed_++];
       pass<N>(window);
     }
   });
@@ -242,7 +266,7 @@ bool WindowWalk<kWords>::find_next() {
 /// them on the other side. `first` is any point of that side to begin with.
 template <Index kWords>
 template <Index N, typename WindowWalk<kWords>::Side side>
-HODT_INLINE Index WindowWalk<kWords>::count_across(Index first) {
+HODT_INLINE Index WindowWalk<kWords>::count_across(Index first, Split circle) {
   constexpr bool on_left = side == Side::left;
   const Index v = candidate_.place;
   const Set itself = Set::only(v);
@@ -253,20 +277,25 @@ HODT_INLINE Index WindowWalk<kWords>::count_across(Index first) {
     return on_left ? in_circle(u, p, point(first), point(i))
                    : in_circle(p, u, point(first), point(i));
   };
+  const auto through_first = [&]() HODT_INLINE_LAMBDA {
+    return on_left ? points_.inside(v, first) : points_.inside(first, v);
+  };
   // The points inside are connected with u, and with v: all are known if the neighbours of all of
   // them are, and those of u or of v.
   Set rest = expanded_.has(0) || expanded_.has(v) ? Set() : itself;
+  Index known = candidate_.known;
   for (;;) {
     bool is_known = true;
     rest.for_each([&](Index i) { is_known &= expand(i); });
-    if (points_.size() < size_ && !is_full_) {
-      take_up<N>();
-      candidate_.ray = points_.template split<N>(points_.left_of(v));
-    }
+    if (points_.size() < size_ && !is_full_) take_up<N>();
     if (is_full_ || !is_known) return kNone;
-
-    const auto circle =
-        points_.template split<N>(on_left ? points_.inside(v, first) : points_.inside(first, v));
+    if (known < size_) {
+      known = size_;
+      const auto [new_circle, new_ray] =
+          points_.template split<N>(std::array{through_first(), points_.left_of(v)});
+      circle = new_circle;
+      candidate_.ray = new_ray;
+    }
     const Set& surely_here = on_left ? candidate_.ray.in : candidate_.ray.out;
     const Set& surely_across = on_left ? candidate_.ray.out : candidate_.ray.in;
     const Set perhaps = Set::first(size_) - circle.out - itself - Set::only(first);
@@ -276,7 +305,10 @@ HODT_INLINE Index WindowWalk<kWords>::count_across(Index first) {
       if (is_here(i) && is_inside(i)) first = i;
     });
     rest = {};
-    if (first != before) continue;
+    if (first != before) {
+      circle = points_.template split<N>(through_first());
+      continue;
+    }
 
     Set inside = circle.in & surely_across;
     (perhaps - surely_here - inside).for_each([&](Index i) {
@@ -292,9 +324,9 @@ HODT_INLINE Index WindowWalk<kWords>::count_across(Index first) {
 template <Index kWords>
 Index WindowWalk<kWords>::useful_order() {
   return run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA -> Index {
-    const Index right = count_across<N, Side::left>(candidate_.left);
+    const Index right = count_across<N, Side::left>(candidate_.left, candidate_.left_circle);
     if (right > k_) return right;
-    const Index left = count_across<N, Side::right>(candidate_.right);
+    const Index left = count_across<N, Side::right>(candidate_.right, candidate_.right_circle);
     return std::max(left, right);
   });
 }

@@ -22,7 +22,8 @@ enum class Towards { all, larger, smaller };  // lexicographically
 template <Index kWords>
 class WindowWalk {
  public:
-  explicit WindowWalk(const DelaunayGraph& graph) : graph_(graph), places_(graph.xy.size(), 0) {}
+  explicit WindowWalk(const DelaunayGraph& graph)
+      : graph_(graph), places_(graph.xy.size(), kNone) {}
 
   /// Starts at u. The candidates to come hold all other ends of useful edges of order 1 to k, each
   /// once.
@@ -62,7 +63,9 @@ class WindowWalk {
   struct Candidate {
     VertexId vertex;
     Index place, left, right;
-    Split ray;  // what is on its left and right
+    Index known;                      // as many points as the splits are of
+    Split left_circle, right_circle;  // through it and the ends of the edge
+    Split ray;                        // what is on its left and right
   };
   enum class Side { left, right };
 
@@ -73,13 +76,14 @@ class WindowWalk {
   HODT_INLINE void begin_at_next();
   template <Index N>
   HODT_INLINE void open_first(HalfEdgeId h);
+  void make_room();
   HODT_INLINE void open(const Window& window);
   void look_closer(Window& window, const Split& circle) const;
   HODT_INLINE int side_of(const Sight& sight, Index place) const;
   template <Index N>
   HODT_INLINE void pass(const Window& window);
   template <Index N, Side side>
-  HODT_INLINE Index count_across(Index first);
+  HODT_INLINE Index count_across(Index first, Split circle);
   Index place_of(VertexId v);
   bool expand(Index place);
   template <Index N>
@@ -96,16 +100,20 @@ class WindowWalk {
   double nearest_ = 1;
   HalfEdgeId next_;  // from u: where to begin next; kNone if all is begun
   Points points_;
-  std::array<VertexId, Set::kMost> vertices_;  // parallel to the points
-  Index size_ = 0;                             // of these
-  Set expanded_;                               // whose neighbours all have places
-  bool is_full_ = false;                       // some vertex got no place
-  std::vector<Window> open_;
-  std::size_t open_count_ = 0;
+  std::array<VertexId, Set::kMost + 1> vertices_;  // parallel to the points, and room for one more
+  Index size_ = 0;                                 // of the points
+  Set expanded_;                                   // whose neighbours all have places
+  bool is_full_ = false;                           // some vertex got no place
+  // The first `opened_`, `passed_` of them done with. First come, first served: so a processor can
+  // go on to the next one before it knows what the last one led to.
+  std::vector<Window> windows_;
+  std::size_t passed_ = 0, opened_ = 0;
   Candidate candidate_;
-  // Of every vertex the round in which it got its place, times kMost, plus the place.
+  // Of a vertex that has a place, first_place_ plus that. Of all others more than could be a place:
+  // numbers go down from walk to walk.
+  static constexpr std::uint32_t kPlaces = Set::kMost + 1;
   Buffer<std::uint32_t> places_;
-  std::uint32_t round_ = 0;
+  std::uint32_t first_place_ = kNone;
 };
 
 extern template class WindowWalk<1>;
