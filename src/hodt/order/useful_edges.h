@@ -95,7 +95,7 @@ class UsefulEdgeSearch {
   template <class Wanted>
   void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
     const bool windows_first =
-        limit <= kNarrow || (towards != Towards::all && limit > 24 && limit <= 100);
+        limit <= kNarrow || (towards != Towards::all && limit > 16 && limit <= 100);
     if (windows_first && through_windows(u, limit, wanted, towards)) return;
     if (windows_first || limit >= kLarge) return among_neighbours(u, limit, wanted, effort_);
     if (!graph_.is_hub(u)) {
