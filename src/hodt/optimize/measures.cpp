@@ -7,6 +7,7 @@
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
+#include "hodt/mesh/boundary.h"
 #include "hodt/optimize/angle.h"
 
 namespace hodt {
@@ -298,15 +299,16 @@ double TriangleValues::of(const TriangleMesh& mesh, std::span<const double> rank
   return objective().measure == Measure::length ? sum + half_boundary_length(mesh) : sum;
 }
 
-/// What is missing when the edges of all triangles count half.
+/// What is missing when the edges of all triangles count half: that of the hull.
 double TriangleValues::half_boundary_length(const TriangleMesh& mesh) const {
-  return parallel_sum(0, mesh.halfedge_count(), 1 << 16, [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (auto h = HalfEdgeId(Index(first)); h < last; h = HalfEdgeId(h + 1))
-      if (mesh.is_boundary(h))
-        sum += finite(distance(xy_[mesh.origin(h)], xy_[mesh.target(h)])) / 2;
-    return sum;
-  });
+  double sum = 0;
+  const HalfEdgeId start = first_on_boundary(mesh);
+  HalfEdgeId h = start;
+  do {
+    sum += finite(distance(xy_[mesh.origin(h)], xy_[mesh.target(h)])) / 2;
+    h = following_on_boundary(mesh, h);
+  } while (h != start);
+  return sum;
 }
 
 }  // namespace hodt

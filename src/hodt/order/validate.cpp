@@ -7,6 +7,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/mesh/boundary.h"
 #include "hodt/order/circle_counter.h"
 
 // Why turns alone prove a triangulation. Every triangle is counter-clockwise, and the boundary is
@@ -34,25 +35,16 @@ std::string clockwise_problem(std::span<const Point> points, const TriangleMesh&
   return "";
 }
 
-/// The boundary half-edge that starts where h ends.
-HalfEdgeId following_on_boundary(const TriangleMesh& mesh, HalfEdgeId h) {
-  HalfEdgeId following = TriangleMesh::next(h);
-  while (!mesh.is_boundary(following)) following = mesh.rotate_cw(following);
-  return following;
-}
-
 /// Whether the boundary is one path around a convex polygon, passed once. Of the directions of a
 /// path that turns left all the time, those to the right (straight up among them) are one run in
 /// each turn.
 std::string hull_problem(std::span<const Point> points, const TriangleMesh& mesh) {
-  const auto is_boundary = [](Index twin) { return twin == kNone; };
-  const auto first = std::find_if(mesh.twins().begin(), mesh.twins().end(), is_boundary);
-  if (first == mesh.twins().end()) return "there is no boundary";
-  const auto edges = std::count_if(first, mesh.twins().end(), is_boundary);
+  const HalfEdgeId start = first_on_boundary(mesh);
+  if (!start.valid()) return "there is no boundary";
+  const auto edges = std::count(mesh.twins().begin(), mesh.twins().end(), kNone);
   const auto goes_right = [&](HalfEdgeId h) {
     return lexicographically_less(points[mesh.origin(h)], points[mesh.target(h)]);
   };
-  const HalfEdgeId start(static_cast<Index>(first - mesh.twins().begin()));
   HalfEdgeId h = start;
   int passed = 0, turns = 0;
   do {
