@@ -29,7 +29,7 @@ class NearPoints {
   using Set = PlaceSet<kWords>;
 
   /// Only u itself, at place 0, which no half-plane holds. The nearest of the points to come is at
-  /// a distance of about `nearest`.
+  /// a distance of about `nearest`. Questions have to wait until some are added.
   HODT_INLINE void clear(double nearest);
   Index size() const { return size_; }
   /// Point i, one of the next that are to be added, is at u + offset.
@@ -114,7 +114,7 @@ HODT_INLINE bool NearPoints<kWords>::add(Index size) {
         kSlack * ((image_x < 0 ? -image_x : image_x) + (image_y < 0 ? -image_y : image_y)) + kTiny;
     const Bits place = number + static_cast<std::int32_t>(i);
     const Bits is_taken = (place > 0) & (place < static_cast<std::int32_t>(size));
-    is_far |= is_taken & (r_single >= kMostSquared);
+    is_far |= is_taken & ~(r_single < kMostSquared);
     image_x = is_taken ? image_x : Floats{};
     image_y = is_taken ? image_y : Floats{};
     rounding = is_taken ? rounding : Floats{};
