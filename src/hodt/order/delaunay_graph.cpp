@@ -51,22 +51,18 @@ void DelaunayGraph::list_neighbours() {
   const std::size_t n = xy.size();
   Lists lists{Buffer<Index>(n + 1), {}};
   lists.first[0] = 0;
-  parallel_for(0, n, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      Index degree = 0;
-      hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId) { ++degree; });
-      lists.first[v + 1] = degree;
-    }
-  });
+  lists.vertices = parallel_collect<VertexId>(
+      0, n, kGrain, [&](std::size_t begin, std::size_t end, std::vector<VertexId>& found) {
+        found.reserve(7 * (end - begin));
+        for (std::size_t v = begin; v < end; ++v) {
+          const std::size_t before = found.size();
+          hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { found.push_back(w); });
+          lists.first[v + 1] = static_cast<Index>(found.size() - before);
+        }
+        if (end == n) found.resize(found.size() + kUsualDegree, VertexId(0));
+      });
   const Index largest = *std::max_element(lists.first.begin(), lists.first.end());
   std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
-  lists.vertices = Buffer<VertexId>(lists.first[n]);
-  parallel_for(0, n, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      Index next = lists.first[v];
-      hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { lists.vertices[next++] = w; });
-    }
-  });
   lists_ = std::move(lists);
   if (largest > kHubDegree) route_around_hubs();
 }
@@ -122,7 +118,7 @@ void DelaunayGraph::route_around_hubs() {
     edges.erase(std::unique(edges.begin() + std::ptrdiff_t(before), edges.end()), edges.end());
   }
 
-  onward_ = {Buffer<Index>(n + 1, 0), Buffer<VertexId>(edges.size())};
+  onward_ = {Buffer<Index>(n + 1, 0), std::vector<VertexId>(edges.size())};
   for (const auto& [a, b] : edges) ++onward_.first[a + 1];
   std::partial_sum(onward_.first.begin(), onward_.first.end(), onward_.first.begin());
   std::vector<Index> next(onward_.first.begin(), onward_.first.end() - 1);

@@ -49,9 +49,9 @@ bool WindowWalk<kWords>::expand(Index place) {
   VertexId* const vertices = vertices_.data();
   const std::uint32_t first = first_place_;
   Index size = size_;
-  graph_.for_each_neighbour(vertices_[place], [&](VertexId w) {
+  graph_.for_each_neighbour_and_more(vertices_[place], [&](VertexId w, bool is_neighbour) {
     if (size > Set::kMost) return;
-    const std::uint32_t known = places[w], next = first + size;
+    const std::uint32_t known = places[w], next = is_neighbour ? first + size : kNone;
     vertices[size] = w;
     places[w] = std::min(known, next);
     size += Index{known > next};
