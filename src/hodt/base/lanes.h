@@ -58,23 +58,26 @@ HODT_INLINE Value fold(const Value* values, const Operation& operation) {
   }
 }
 
-// The signs of the lanes, a bit each: set for negative ones, and for -0.
+// Which lanes are below a limit, a bit each.
 #if defined(__x86_64__) && defined(__GNUC__)
 // Not forced inline, which may not cross the border between instruction sets; they are inlined all
 // the same.
-__attribute__((target("avx512f"))) inline std::uint64_t signs(const Lanes<16>::Floats& lanes) {
-  return _mm512_cmplt_epi32_mask(_mm512_castps_si512(lanes), _mm512_setzero_si512());
+__attribute__((target("avx512f,bmi,bmi2,lzcnt"))) inline std::uint64_t below(const Lanes<16>::Floats& lanes,
+                                                              float limit) {
+  return _mm512_cmp_ps_mask(lanes, _mm512_set1_ps(limit), _CMP_LT_OQ);
 }
-__attribute__((target("avx2"))) inline std::uint64_t signs(const Lanes<8>::Floats& lanes) {
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(lanes));
+__attribute__((target("avx2,bmi,bmi2,lzcnt"))) inline std::uint64_t below(const Lanes<8>::Floats& lanes,
+                                                           float limit) {
+  const __m256 is_below = _mm256_cmp_ps(lanes, _mm256_set1_ps(limit), _CMP_LT_OQ);
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(is_below));
 }
-inline std::uint64_t signs(const Lanes<4>::Floats& lanes) {
-  return static_cast<std::uint32_t>(_mm_movemask_ps(lanes));
+inline std::uint64_t below(const Lanes<4>::Floats& lanes, float limit) {
+  return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmplt_ps(lanes, _mm_set1_ps(limit))));
 }
 #else
-inline std::uint64_t signs(const Lanes<4>::Floats& lanes) {
+inline std::uint64_t below(const Lanes<4>::Floats& lanes, float limit) {
   std::uint64_t bits = 0;
-  for (Index i = 0; i < 4; ++i) bits |= std::uint64_t{std::signbit(lanes[i])} << i;
+  for (Index i = 0; i < 4; ++i) bits |= std::uint64_t{lanes[i] < limit} << i;
   return bits;
 }
 #endif
@@ -82,11 +85,11 @@ inline std::uint64_t signs(const Lanes<4>::Floats& lanes) {
 #if defined(__x86_64__) && defined(__GNUC__)
 #define HODT_FOR_LANES(kernel)                                                     \
   template <class... Arguments>                                                    \
-  __attribute__((target("avx512f"))) auto kernel##_in_16(Arguments... arguments) { \
+  __attribute__((target("avx512f,bmi,bmi2,lzcnt"))) auto kernel##_in_16(Arguments... arguments) { \
     return kernel<16>(arguments...);                                               \
   }                                                                                \
   template <class... Arguments>                                                    \
-  __attribute__((target("avx2"))) auto kernel##_in_8(Arguments... arguments) {     \
+  __attribute__((target("avx2,bmi,bmi2,lzcnt"))) auto kernel##_in_8(Arguments... arguments) {     \
     return kernel<8>(arguments...);                                                \
   }                                                                                \
   template <class... Arguments>                                                    \

@@ -17,9 +17,11 @@
 
 namespace hodt {
 
-/// The images p with a p.x + b p.y + c < 0, up to the slack.
+/// The images p with a p.x + b p.y < -c. Those with less than `in`, even if the slack counts against
+/// them, surely; and those for which -(a p.x + b p.y) is less than `out` surely are in the
+/// complement.
 struct ImageHalfPlane {
-  float a, b, c, slack;
+  float a, b, slack, in, out;
 };
 
 /// Up to 64 kWords points.
@@ -66,13 +68,18 @@ class NearPoints {
   static constexpr float kSlack = 16 * 0x1p-24f;
   static constexpr float kTiny = 0x1p-90f;
   static constexpr float kMostSquared = 0x1p+110f;
+  // Of directions that differ by an angle with a sine above 2^-8 the images tell enough.
+  static constexpr float kSharp = 0x1p+12f;
+  static constexpr float kTinyCross = 0x1p-80f;
+
+  ImageHalfPlane inside_closely(Index i, Index j) const;
 
   Index size_ = 1;
   Set larger_;
   double scale_ = 1;  // a power of two that brings offsets close to 1
   // Of places not taken, 0: the image of what is infinitely far away.
   alignas(64) std::array<float, Set::kMost> image_x_{}, image_y_{}, rounding_{};
-  std::array<double, Set::kMost> x_{}, y_{}, r_{};  // r = x² + y²
+  std::array<double, Set::kMost> x_{}, y_{};  // offsets, scaled
 };
 
 template <Index kWords>
@@ -106,7 +113,6 @@ HODT_INLINE bool NearPoints<kWords>::add(Index size) {
     load(x, &x_[i]);
     load(y, &y_[i]);
     const Doubles r = x * x + y * y;
-    store(&r_[i], r);
     const Floats r_single = __builtin_convertvector(r, Floats), inverse = 1 / r_single;
     Floats image_x = __builtin_convertvector(x, Floats) * inverse;
     Floats image_y = __builtin_convertvector(y, Floats) * inverse;
@@ -130,23 +136,37 @@ HODT_INLINE bool NearPoints<kWords>::add(Index size) {
 
 template <Index kWords>
 HODT_INLINE ImageHalfPlane NearPoints<kWords>::inside(Index i, Index j) const {
+  // The line through the images P and Q is P x Q - p x (Q - P) = 0, and positive at u.
+  const float xi = image_x_[i], yi = image_y_[i], xj = image_x_[j], yj = image_y_[j];
+  const float cross = xi * yj - yi * xj;
+  // Of `rounding`, 1 / kSlack is the size of an image. The error of the cross product is below
+  // 10 e, and that of the value at p below 12 e, times both sizes.
+  const float slack = (rounding_[i] + rounding_[j]) * (1 / kSlack);
+  const float doubt = rounding_[i] * rounding_[j] * (1 / kSlack);
+  if (cross > kSharp * doubt + kTinyCross) [[likely]]
+    return {yi - yj, xj - xi, slack, -cross - doubt, cross - doubt};
+  return inside_closely(i, j);
+}
+
+/// In double precision, for points in nearly the same direction.
+template <Index kWords>
+ImageHalfPlane NearPoints<kWords>::inside_closely(Index i, Index j) const {
   // The line through the images is p·n = 1 with n = (ri qj - rj qi) / (qi x qj), turned by a right
   // angle. If the sine of the angle at u is above 2^-20, double precision loses less than half of
   // its digits. If not, nothing is known.
-  const double xi = x_[i], yi = y_[i], ri = r_[i], xj = x_[j], yj = y_[j], rj = r_[j];
-  const double cross = xi * yj - yi * xj;
-  if (!(cross > 0 && cross * cross > 0x1p-40 * (ri * rj))) [[unlikely]]
-    return {0, 0, 1, 0x1p+100f};
+  const double xi = x_[i], yi = y_[i], xj = x_[j], yj = y_[j];
+  const double ri = xi * xi + yi * yi, rj = xj * xj + yj * yj, cross = xi * yj - yi * xj;
+  if (!(cross > 0 && cross * cross > 0x1p-40 * (ri * rj))) return {0, 0, 0, -1, -1};
   const double inverse = 1 / cross;
   const auto a = static_cast<float>((rj * yi - ri * yj) * inverse);
   const auto b = static_cast<float>((ri * xj - rj * xi) * inverse);
-  return {a, b, 1, std::max(std::fabs(a), std::fabs(b))};
+  return {a, b, std::max(std::fabs(a), std::fabs(b)), -1, 1};
 }
 
 template <Index kWords>
 HODT_INLINE ImageHalfPlane NearPoints<kWords>::left_of(Index i) const {
   const float x = image_x_[i], y = image_y_[i];
-  return {y, -x, 0, std::max(std::fabs(x), std::fabs(y))};
+  return {y, -x, std::max(std::fabs(x), std::fabs(y)), 0, 0};
 }
 
 template <Index kWords>
@@ -167,9 +187,9 @@ HODT_INLINE auto NearPoints<kWords>::split(const std::array<ImageHalfPlane, Coun
       load(rounding, &rounding_[i]);
       for (std::size_t p = 0; p < Count; ++p) {
         const ImageHalfPlane& plane = planes[p];
-        const Floats value = plane.c + (plane.a * x + plane.b * y), slack = plane.slack * rounding;
-        in[p] = in[p] << N | signs(value + slack);
-        out[p] = out[p] << N | signs(slack - value);
+        const Floats value = plane.a * x + plane.b * y, slack = plane.slack * rounding;
+        in[p] = in[p] << N | below(value + slack, plane.in);
+        out[p] = out[p] << N | below(slack - value, plane.out);
       }
     }
     for (std::size_t p = 0; p < Count; ++p) {

@@ -51,7 +51,7 @@ bool WindowWalk<kWords>::expand(Index place) {
   Index size = size_;
   graph_.for_each_neighbour_and_more(vertices_[place], [&](VertexId w, bool is_neighbour) {
     if (size > Set::kMost) return;
-    const std::uint32_t known = places[w], next = is_neighbour ? first + size : kNone;
+    const std::uint32_t known = places[w], next = (first + size) | (Index{is_neighbour} - 1);
     vertices[size] = w;
     places[w] = std::min(known, next);
     size += Index{known > next};
@@ -71,10 +71,9 @@ HODT_INLINE void WindowWalk<kWords>::take_up() {
   if (!points_.template add<N>(size_)) is_full_ = true;
 }
 
-/// For two more windows.
+/// For two more windows, where those passed were.
 template <Index kWords>
 void WindowWalk<kWords>::make_room() {
-  if (opened_ + 2 <= windows_.size()) return;
   std::copy(windows_.data() + passed_, windows_.data() + opened_, windows_.data());
   opened_ -= std::exchange(passed_, 0);
   if (opened_ + 2 > windows_.size() / 2) windows_.resize(2 * windows_.size());
@@ -93,19 +92,15 @@ HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
 
 /// The window through the edge across from u in the triangle that h, from u, belongs to.
 template <Index kWords>
-template <Index N>
-HODT_INLINE void WindowWalk<kWords>::open_first(HalfEdgeId h) {
+HODT_INLINE void WindowWalk<kWords>::open_first(HalfEdgeId h, const Ray& right, const Ray& left) {
   const TriangleMesh& mesh = graph_.mesh;
-  const Index right = place_of(mesh.target(h)), left = place_of(mesh.apex(h));
-  if (!is_sought(left) && !is_sought(right)) return;
-  const auto [by_left, by_right] =
-      points_.template split<N>(std::array{points_.left_of(left), points_.left_of(right)});
   open({.beyond = mesh.twin(TriangleMesh::next(h)),
-        .left = left,
-        .right = right,
-        .sight = {left, right, by_left.in, by_left.out & by_right.in, by_right.out},
-        .inside_left = Set::only(left),
-        .inside_right = Set::only(right)});
+        .left = left.place,
+        .right = right.place,
+        .sight = {left.place, right.place, left.sides.in, left.sides.out & right.sides.in,
+                  right.sides.out},
+        .inside_left = Set::only(left.place),
+        .inside_right = Set::only(right.place)});
 }
 
 /// Opens windows in all directions. The more points are known, the earlier the walk can end: to
@@ -113,16 +108,19 @@ HODT_INLINE void WindowWalk<kWords>::open_first(HalfEdgeId h) {
 template <Index kWords>
 template <Index N>
 HODT_INLINE void WindowWalk<kWords>::begin_at_all() {
-  const TriangleMesh& mesh = graph_.mesh;
-  const Index degree = size_;
-  for (Index i = 1; i < degree && size_ <= Set::kMost / 2; ++i) expand(i);
+  const Index degree = size_ - 1;
+  for (Index i = 1; i <= degree && size_ <= Set::kMost / 2; ++i) expand(i);
   take_up<N>();
   if (is_full_) return;
+  // The neighbours have places 1, 2, ... around u.
+  Ray right = ray_to<N>(1);
   const HalfEdgeId start = graph_.outgoing[u_];
   HalfEdgeId h = start;
   do {
-    open_first<N>(h);
-    h = mesh.rotate_ccw(h);
+    const Ray left = ray_to<N>(right.place < degree ? right.place + 1 : 1);
+    open_first(h, right, left);
+    right = left;
+    h = graph_.mesh.rotate_ccw(h);
   } while (h.valid() && h != start);
 }
 
@@ -137,9 +135,10 @@ HODT_INLINE void WindowWalk<kWords>::begin_at_next() {
   if (next_ == graph_.outgoing[u_]) next_ = HalfEdgeId();
   forget();
   points_.clear(nearest_);
-  for (const VertexId v : {mesh.target(h), mesh.apex(h)}) expand(place_of(v));
+  const Index right = place_of(mesh.target(h)), left = place_of(mesh.apex(h));
+  for (const Index end : {right, left}) expand(end);
   take_up<N>();
-  if (!is_full_) open_first<N>(h);
+  if (!is_full_) open_first(h, ray_to<N>(right), ray_to<N>(left));
 }
 
 /// 0 if the point is seen, else +1 or -1: on its left ray or further left, on
@@ -254,7 +253,8 @@ bool WindowWalk<kWords>::find_next() {
         begin_at_next<N>();
         continue;
       }
-      make_room();
+      if (opened_ + 2 > windows_.size()) [[unlikely]]
+        make_room();
       const Window window = windows_[passed_++];
       pass<N>(window);
     }

@@ -46,6 +46,10 @@ class WindowWalk {
   using Set = typename Points::Set;
   using Split = typename Points::Split;
 
+  struct Ray {  // from u
+    Index place;
+    Split sides;  // its left and right
+  };
   /// What is seen from u between two rays, which end at places.
   struct Sight {
     Index left_ray, right_ray;
@@ -75,7 +79,10 @@ class WindowWalk {
   template <Index N>
   HODT_INLINE void begin_at_next();
   template <Index N>
-  HODT_INLINE void open_first(HalfEdgeId h);
+  HODT_INLINE Ray ray_to(Index place) const {
+    return {place, points_.template split<N>(points_.left_of(place))};
+  }
+  HODT_INLINE void open_first(HalfEdgeId h, const Ray& right, const Ray& left);
   void make_room();
   HODT_INLINE void open(const Window& window);
   void look_closer(Window& window, const Split& circle) const;
