@@ -67,7 +67,7 @@ Openness expect_true(const Around& around) {
       EXPECT_TRUE(!sides.in.has(p) || side > 0);
       EXPECT_TRUE(!sides.out.has(p) || side < 0);
     }
-    EXPECT_EQ(around.near().is_larger(i), lexicographically_less(u, around.point(i)));
+    EXPECT_EQ(around.near().larger().has(i), lexicographically_less(u, around.point(i)));
     for (Index j = 1; j < around.size(); ++j) {
       if (orient(u, around.point(i), around.point(j)) <= 0) continue;
       const NearPoints<2>::Split circle = around.split(around.near().inside(i, j));

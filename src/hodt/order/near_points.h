@@ -40,8 +40,8 @@ class NearPoints {
   /// that is not exact.
   template <Index N>
   HODT_INLINE bool add(Index size);
-  /// Whether the point is lexicographically larger than u.
-  bool is_larger(Index i) const { return larger_.has(i); }
+  /// Those that are lexicographically larger than u.
+  const Set& larger() const { return larger_; }
 
   /// The inside of the circle through u, i and j (counter-clockwise).
   HODT_INLINE ImageHalfPlane inside(Index i, Index j) const;

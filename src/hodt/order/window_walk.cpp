@@ -69,6 +69,8 @@ HODT_INLINE void WindowWalk<kWords>::take_up() {
   for (Index i = points_.size(); i < size_; ++i)
     points_.set(i, {point(i).x - u.x, point(i).y - u.y});
   if (!points_.template add<N>(size_)) is_full_ = true;
+  const Set larger = points_.larger(), all = Set::first(Set::kMost);
+  sought_ = towards_ == Towards::all ? all : towards_ == Towards::larger ? larger : all - larger;
 }
 
 /// For two more windows, where those passed were.

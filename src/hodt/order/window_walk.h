@@ -95,9 +95,7 @@ class WindowWalk {
   bool expand(Index place);
   template <Index N>
   HODT_INLINE void take_up();
-  bool is_sought(Index place) const {
-    return (towards_ == Towards::all) | (points_.is_larger(place) == (towards_ == Towards::larger));
-  }
+  bool is_sought(Index place) const { return sought_.has(place); }
   const Point& point(Index place) const { return graph_.point(vertices_[place]); }
 
   const DelaunayGraph& graph_;
@@ -107,6 +105,7 @@ class WindowWalk {
   double nearest_ = 1;
   HalfEdgeId next_;  // from u: where to begin next; kNone if all is begun
   Points points_;
+  Set sought_;  // those of them that could be the other end
   std::array<VertexId, Set::kMost + 1> vertices_;  // parallel to the points, and room for one more
   Index size_ = 0;                                 // of the points
   Set expanded_;                                   // whose neighbours all have places
