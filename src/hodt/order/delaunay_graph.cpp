@@ -7,6 +7,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/mesh/boundary.h"
 
 namespace hodt {
 
@@ -49,20 +50,26 @@ std::vector<Edge> edges_without(std::span<const Point> xy, const Buffer<bool>& h
 void DelaunayGraph::list_neighbours() {
   constexpr std::size_t kGrain = 1 << 13;
   const std::size_t n = xy.size();
-  Lists lists{Buffer<Index>(n + 1), {}};
-  lists.first[0] = 0;
-  lists.vertices = parallel_collect<VertexId>(
-      0, n, kGrain, [&](std::size_t begin, std::size_t end, std::vector<VertexId>& found) {
-        found.reserve(7 * (end - begin));
-        for (std::size_t v = begin; v < end; ++v) {
-          const std::size_t before = found.size();
-          hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { found.push_back(w); });
-          lists.first[v + 1] = static_cast<Index>(found.size() - before);
-        }
-        if (end == n) found.resize(found.size() + kUsualDegree, VertexId(0));
-      });
+  Lists lists{Buffer<Index>(n + 1, 0), {}};
+  // As many as leave it, and on the boundary one that ends there.
+  Index* const degree = lists.first.data() + 1;
+  for (const Index v : mesh.origins()) ++degree[v];
+  if (const HalfEdgeId start = first_on_boundary(mesh); start.valid()) {
+    HalfEdgeId h = start;
+    do {
+      ++degree[mesh.target(h)];
+      h = following_on_boundary(mesh, h);
+    } while (h != start);
+  }
   const Index largest = *std::max_element(lists.first.begin(), lists.first.end());
   std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+  lists.vertices = Buffer<VertexId>(lists.first[n] + kUsualDegree);
+  std::fill_n(lists.vertices.data() + lists.first[n], kUsualDegree, VertexId(0));
+  parallel_for(0, n, kGrain, [&](std::size_t begin, std::size_t end) {
+    VertexId* next = lists.vertices.data() + lists.first[begin];
+    for (std::size_t v = begin; v < end; ++v)
+      hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { *next++ = w; });
+  });
   lists_ = std::move(lists);
   if (largest > kHubDegree) route_around_hubs();
 }
@@ -118,7 +125,7 @@ void DelaunayGraph::route_around_hubs() {
     edges.erase(std::unique(edges.begin() + std::ptrdiff_t(before), edges.end()), edges.end());
   }
 
-  onward_ = {Buffer<Index>(n + 1, 0), std::vector<VertexId>(edges.size())};
+  onward_ = {Buffer<Index>(n + 1, 0), Buffer<VertexId>(edges.size())};
   for (const auto& [a, b] : edges) ++onward_.first[a + 1];
   std::partial_sum(onward_.first.begin(), onward_.first.end(), onward_.first.begin());
   std::vector<Index> next(onward_.first.begin(), onward_.first.end() - 1);

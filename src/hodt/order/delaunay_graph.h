@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/geometry/circle.h"
@@ -92,7 +91,7 @@ class DelaunayGraph {
   /// A list of vertices for every vertex, all in one array.
   struct Lists {
     Buffer<Index> first;  // where each list begins
-    std::vector<VertexId> vertices;
+    Buffer<VertexId> vertices;
 
     Index size(VertexId v) const { return first[v + 1] - first[v]; }
     template <class F>
