@@ -110,7 +110,7 @@ class DelaunayGraph {
   /// Of random points, 15 of 16 have no more neighbours.
   static constexpr Index kUsualDegree = 8;
 
-  Lists lists_;       // of neighbours, and kUsualDegree more vertices; empty before list_neighbours()
+  Lists lists_;  // of neighbours, and kUsualDegree more vertices; empty before list_neighbours()
   Buffer<bool> hub_;  // empty if there are none
   Lists onward_;      // empty likewise; a hub's list is empty
 };

@@ -17,8 +17,8 @@
 
 namespace hodt {
 
-/// The images p with a p.x + b p.y < -c. Those with less than `in`, even if the slack counts against
-/// them, surely; and those for which -(a p.x + b p.y) is less than `out` surely are in the
+/// The images p with a p.x + b p.y < -c. Those with less than `in`, even if the slack counts
+/// against them, surely; and those for which -(a p.x + b p.y) is less than `out` surely are in the
 /// complement.
 struct ImageHalfPlane {
   float a, b, slack, in, out;

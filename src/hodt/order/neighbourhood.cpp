@@ -7,7 +7,7 @@
 namespace hodt {
 
 Neighbourhood::Neighbourhood(const DelaunayGraph& graph)
-    : graph_(graph), pencil_(std::make_unique<Pencil>(*this)), seen_(graph.xy.size(), 0) {}
+    : graph_(graph), pencil_(std::make_unique<Pencil>(*this)) {}
 
 Neighbourhood::~Neighbourhood() = default;
 
@@ -66,8 +66,8 @@ bool Neighbourhood::bound_orders(Index first, Index last, Index k, std::size_t& 
 void Neighbourhood::begin_at(VertexId u, Index k) {
   centre_ = u;
   size_ = 0;
-  if (++round_ == 0) {
-    seen_.fill(0);
+  if (round_++ == kNone || seen_.empty()) {
+    seen_ = Buffer<std::uint32_t>(graph_.xy.size(), 0);
     round_ = 1;
   }
   seen_[u] = round_;

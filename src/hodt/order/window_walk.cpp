@@ -13,7 +13,7 @@ namespace hodt {
 template <Index kWords>
 void WindowWalk<kWords>::forget() {
   if (first_place_ < kPlaces) {
-    places_.fill(kNone);
+    places_ = Buffer<std::uint32_t>(graph_.xy.size(), kNone);
     first_place_ = kNone;
   }
   first_place_ -= kPlaces;

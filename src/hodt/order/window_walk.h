@@ -22,8 +22,7 @@ enum class Towards { all, larger, smaller };  // lexicographically
 template <Index kWords>
 class WindowWalk {
  public:
-  explicit WindowWalk(const DelaunayGraph& graph)
-      : graph_(graph), places_(graph.xy.size(), kNone) {}
+  explicit WindowWalk(const DelaunayGraph& graph) : graph_(graph) {}
 
   /// Starts at u. The candidates to come hold all other ends of useful edges of order 1 to k, each
   /// once.
@@ -105,7 +104,7 @@ class WindowWalk {
   double nearest_ = 1;
   HalfEdgeId next_;  // from u: where to begin next; kNone if all is begun
   Points points_;
-  Set sought_;  // those of them that could be the other end
+  Set sought_;                                     // those of them that could be the other end
   std::array<VertexId, Set::kMost + 1> vertices_;  // parallel to the points, and room for one more
   Index size_ = 0;                                 // of the points
   Set expanded_;                                   // whose neighbours all have places
@@ -118,8 +117,8 @@ class WindowWalk {
   // Of a vertex that has a place, first_place_ plus that. Of all others more than could be a place:
   // numbers go down from walk to walk.
   static constexpr std::uint32_t kPlaces = Set::kMost + 1;
-  Buffer<std::uint32_t> places_;
-  std::uint32_t first_place_ = kNone;
+  Buffer<std::uint32_t> places_;  // from the first walk on
+  std::uint32_t first_place_ = 0;
 };
 
 extern template class WindowWalk<1>;
