@@ -15,9 +15,35 @@ HODT_INLINE double half_tangent(double sine, double cosine) {
   return cotangent > 0 ? 1 / (root + cotangent) : root - cotangent;
 }
 
-/// Such an angle. In half the time of an arctangent of two arguments.
-inline double degrees(double sine, double cosine) {
-  return 360 / std::numbers::pi * std::atan(half_tangent(sine, cosine));
+/// The arctangent of x, |x| at most the tangent of 22.5 degrees, within a unit in the last place:
+/// the polynomial that agrees with it at 12 Chebyshev nodes of x². The C library's is a call, which
+/// keeps loops from becoming vector code.
+HODT_INLINE double small_arctangent(double x) {
+  const double z = x * x, w = z * z;
+  const double even =
+      -0x1.555555555552fp-2 +
+      w * (-0x1.2492492259b3ep-3 +
+           w * (-0x1.745cf64dcc6bdp-4 +
+                w * (-0x1.10ea1d157f6ffp-4 +
+                     w * (-0x1.9c79c07a989c6p-5 + w * -0x1.23b93fac21dacp-6))));
+  const double odd =
+      0x1.999999999466ap-3 +
+      w * (0x1.c71c70cb775cep-4 +
+           w * (0x1.3b10f0f5b1224p-4 + w * (0x1.def9ecd6a20f2p-5 + w * 0x1.3702ea64c11f2p-5)));
+  return x + x * (z * (even + z * odd));
+}
+
+/// Such an angle. The same bits in loops that become vector code and elsewhere.
+HODT_INLINE double degrees(double sine, double cosine) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  // Of the acute angle; d is the cotangent of its half. Half of what is above 45 degrees is 22.5 to
+  // 45 degrees, and taken from 45.
+  const double cotangent = std::fabs(cosine) / sine;
+  const double d = std::sqrt(1 + cotangent * cotangent) + cotangent;
+  const bool is_above_45 = d < 1 + std::numbers::sqrt2;
+  const double x = (is_above_45 ? 1 - d : 1) / (is_above_45 ? 1 + d : d);
+  const double acute = (is_above_45 ? 90 : 0) + 2 * kDegrees * small_arctangent(x);
+  return cosine > 0 ? acute : 180 - acute;
 }
 
 }  // namespace hodt

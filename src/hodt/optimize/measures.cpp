@@ -16,7 +16,7 @@ namespace {
 
 // What is measured of one triangle: the same bits whatever corner comes first. All is inlined into
 // loops over many triangles, and these become vector code: selections in place of branches, and no
-// calls but for degrees.
+// calls.
 
 HODT_INLINE double smaller(double x, double y) {
   return x < y ? x : y;
