@@ -3,11 +3,42 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
 #include "hodt/optimize/angle.h"
 #include "hodt/optimize/measures.h"
 
 namespace hodt {
+
+namespace {
+
+// What is measured across one edge, with the vector (x, y) along it, between planes with these
+// gradients. All is inlined into loops over many edges (see measures.cpp).
+
+using Gradient = EdgeValues::Gradient;
+using G = const Gradient&;
+
+/// Between the normals (-f, 1) and (-g, 1): their cross product is (g.y - f.y, f.x - g.x, f x g).
+constexpr auto angle_of_normals = [](double, double, G f, G g) HODT_INLINE_LAMBDA {
+  const double cross = f.x * g.y - f.y * g.x, u = g.y - f.y, v = f.x - g.x;
+  return degrees(std::sqrt(u * u + v * v + cross * cross), f.x * g.x + f.y * g.y + 1);
+};
+constexpr auto weighted_angle = [](double x, double y, G f, G g) HODT_INLINE_LAMBDA {
+  return std::sqrt(x * x + y * y) * angle_of_normals(x, y, f, g);
+};
+constexpr auto jump = [](double x, double y, G f, G g) HODT_INLINE_LAMBDA {
+  return std::fabs((f.x - g.x) * y - (f.y - g.y) * x) / std::sqrt(x * x + y * y);
+};
+
+/// Calls f with the function of the measure.
+template <class F>
+void with_measure(Measure measure, const F& f) {
+  if (measure == Measure::abn) return f(angle_of_normals);
+  if (measure == Measure::wabn) return f(weighted_angle);
+  f(jump);
+}
+
+}  // namespace
 
 EdgeValues::Gradient EdgeValues::gradient(VertexId u, VertexId v, VertexId w) const {
   // Sorted without branches.
@@ -30,23 +61,22 @@ Buffer<EdgeValues::Gradient> EdgeValues::gradients(const TriangleMesh& mesh) con
 }
 
 double EdgeValues::across(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
-  const double x = xy_[b].x - xy_[a].x, y = xy_[b].y - xy_[a].y;
-  const auto length = [&] { return std::sqrt(x * x + y * y); };
-  const auto angle = [&] {
-    // Of the normals (-f, 1) and (-g, 1): their cross product is (g.y - f.y, f.x - g.x, f × g).
-    const double cross = f.x * g.y - f.y * g.x, u = g.y - f.y, v = f.x - g.x;
-    return degrees(std::sqrt(u * u + v * v + cross * cross), f.x * g.x + f.y * g.y + 1);
-  };
-  switch (objective().measure) {
-    case Measure::abn:
-      return finite(angle());
-    case Measure::wabn:
-      return finite(length() * angle());
-    case Measure::jnd:
-      return finite(std::fabs((f.x - g.x) * y - (f.y - g.y) * x) / length());
-    default:
-      return 0;  // of triangles
-  }
+  double value = 0;
+  const auto [x, y] = along(a, b);
+  with_measure(objective().measure,
+               [&](const auto& measure) { value = finite(measure(x, y, f, g)); });
+  return value;
+}
+
+void ManyEdges::measure() {
+  with_measure(values_.objective().measure, [&](const auto& measure) {
+    run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
+      for (std::size_t i = 0; i < size_; ++i)
+        value_[i] = finite(measure(x_[i], y_[i], {f_x_[i], f_y_[i]}, {g_x_[i], g_y_[i]}));
+    });
+  });
+  for (std::size_t i = 0; i < size_; ++i) *result_[i] = value_[i];
+  size_ = 0;
 }
 
 double EdgeValues::of(const TriangleMesh& mesh) const {

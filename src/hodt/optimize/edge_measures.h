@@ -2,6 +2,8 @@
 // objective.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include "hodt/base/buffer.h"
@@ -40,9 +42,43 @@ class EdgeValues : public Combination {
   /// The objective's value of a triangulation; 0 if it has no inner edge.
   double of(const TriangleMesh& mesh) const;
 
+  /// From a to b.
+  Point along(VertexId a, VertexId b) const {
+    return {xy_[b].x - xy_[a].x, xy_[b].y - xy_[a].y};
+  }
+
  private:
   std::span<const Point> xy_;
   std::span<const double> z_;
+};
+
+/// EdgeValues::across for many edges: the same bits, in a fraction of the time.
+class ManyEdges {
+ public:
+  explicit ManyEdges(const EdgeValues& values) : values_(values) {}
+
+  /// `result` gets its value by the next measure() at the latest.
+  void add(VertexId a, VertexId b, const EdgeValues::Gradient& f, const EdgeValues::Gradient& g,
+           double& result) {
+    const auto [x, y] = values_.along(a, b);
+    x_[size_] = x;
+    y_[size_] = y;
+    f_x_[size_] = f.x;
+    f_y_[size_] = f.y;
+    g_x_[size_] = g.x;
+    g_y_[size_] = g.y;
+    result_[size_] = &result;
+    if (++size_ == kSize) measure();
+  }
+  void measure();
+
+ private:
+  static constexpr std::size_t kSize = 248;  // no power of two: see order/first_order.cpp
+
+  const EdgeValues& values_;
+  std::size_t size_ = 0;
+  std::array<double, kSize> x_, y_, f_x_, f_y_, g_x_, g_y_, value_;
+  std::array<double*, kSize> result_;
 };
 
 }  // namespace hodt

@@ -51,7 +51,7 @@ class Optimizer {
   void choose_diagonals();
   void find_quadrilaterals();
   double add_costs(Choices& choices) const;
-  EdgeCosts costs_of(HalfEdgeId h) const;
+  void add_costs(HalfEdgeId h, EdgeCosts& edge, ManyEdges& many) const;
   const Gradient& other_gradient(HalfEdgeId side) const;
   void improve_on_first_order();
 
@@ -83,10 +83,12 @@ void Optimizer::find_quadrilaterals() {
 double Optimizer::add_costs(Choices& choices) const {
   double constant = values_.neutral();
   const auto find = [&](std::size_t first, std::size_t last, std::vector<EdgeCosts>& found) {
-    found.reserve((last - first) / 2 + 1);
+    found.reserve(last - first);  // no value moves before it is measured
+    ManyEdges many(values_);
     for (std::size_t i = first; i < last; ++i)
       if (const HalfEdgeId h{Index(i)}; !delaunay_.is_boundary(h) && h < delaunay_.twin(h))
-        found.push_back(costs_of(h));
+        add_costs(h, found.emplace_back(), many);
+    many.measure();
   };
   const auto add = [&](const std::vector<EdgeCosts>& edges) {
     for (const auto& [left, right, costs] : edges) {
@@ -130,28 +132,29 @@ const Optimizer::Gradient& Optimizer::other_gradient(HalfEdgeId side) const {
   return has_origin ? q.at_origin : q.at_target;
 }
 
-Optimizer::EdgeCosts Optimizer::costs_of(HalfEdgeId h) const {
+/// Those of one edge, to be measured with many.
+void Optimizer::add_costs(HalfEdgeId h, EdgeCosts& edge, ManyEdges& many) const {
   const HalfEdgeId twin = delaunay_.twin(h);
   const TriangleId left_triangle = TriangleMesh::triangle(h);
   const TriangleId right_triangle = TriangleMesh::triangle(twin);
   const VertexId a = delaunay_.origin(h), b = delaunay_.target(h);
   const Gradient &f = gradients_[left_triangle], &g = gradients_[right_triangle];
-  EdgeCosts edge{quadrilateral_[left_triangle], quadrilateral_[right_triangle], {}};
+  edge.left = quadrilateral_[left_triangle];
+  edge.right = quadrilateral_[right_triangle];
   auto& costs = edge.costs;
-  costs[0][0] = values_.across(a, b, f, g);
+  many.add(a, b, f, g, costs[0][0]);
   if (edge.left != kNone && edge.left == edge.right) {  // its diagonal, or the other one
     const Quadrilateral& q = quadrilaterals_[edge.left];
     const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
-    costs[1][0] = values_.across(c, d, q.at_origin, q.at_target);
-    return edge;
+    many.add(c, d, q.at_origin, q.at_target, costs[1][0]);
+    return;
   }
   const bool is_left_open = edge.left != kNone, is_right_open = edge.right != kNone;
   const Gradient& other_f = is_left_open ? other_gradient(h) : f;
   const Gradient& other_g = is_right_open ? other_gradient(twin) : g;
-  if (is_left_open) costs[1][0] = values_.across(a, b, other_f, g);
-  if (is_right_open) costs[0][1] = values_.across(a, b, f, other_g);
-  if (is_left_open && is_right_open) costs[1][1] = values_.across(a, b, other_f, other_g);
-  return edge;
+  if (is_left_open) many.add(a, b, other_f, g, costs[1][0]);
+  if (is_right_open) many.add(a, b, f, other_g, costs[0][1]);
+  if (is_left_open && is_right_open) many.add(a, b, other_f, other_g, costs[1][1]);
 }
 
 /// By flips, from there and from what the bound suggests.
