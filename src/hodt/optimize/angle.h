@@ -20,12 +20,11 @@ HODT_INLINE double half_tangent(double sine, double cosine) {
 /// keeps loops from becoming vector code.
 HODT_INLINE double small_arctangent(double x) {
   const double z = x * x, w = z * z;
-  const double even =
-      -0x1.555555555552fp-2 +
-      w * (-0x1.2492492259b3ep-3 +
-           w * (-0x1.745cf64dcc6bdp-4 +
-                w * (-0x1.10ea1d157f6ffp-4 +
-                     w * (-0x1.9c79c07a989c6p-5 + w * -0x1.23b93fac21dacp-6))));
+  const double even = -0x1.555555555552fp-2 +
+                      w * (-0x1.2492492259b3ep-3 +
+                           w * (-0x1.745cf64dcc6bdp-4 +
+                                w * (-0x1.10ea1d157f6ffp-4 +
+                                     w * (-0x1.9c79c07a989c6p-5 + w * -0x1.23b93fac21dacp-6))));
   const double odd =
       0x1.999999999466ap-3 +
       w * (0x1.c71c70cb775cep-4 +

@@ -43,9 +43,7 @@ class EdgeValues : public Combination {
   double of(const TriangleMesh& mesh) const;
 
   /// From a to b.
-  Point along(VertexId a, VertexId b) const {
-    return {xy_[b].x - xy_[a].x, xy_[b].y - xy_[a].y};
-  }
+  Point along(VertexId a, VertexId b) const { return {xy_[b].x - xy_[a].x, xy_[b].y - xy_[a].y}; }
 
  private:
   std::span<const Point> xy_;

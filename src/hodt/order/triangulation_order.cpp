@@ -10,11 +10,35 @@ namespace hodt {
 
 namespace {
 
-/// A corner that the first triangle has and the second one not.
-VertexId lost_corner(const std::array<VertexId, 3>& before, const std::array<VertexId, 3>& after) {
-  for (const VertexId v : before)
-    if (std::find(after.begin(), after.end(), v) == after.end()) return v;
-  return {};
+using Corners = std::array<VertexId, 3>;
+
+bool has(const Corners& corners, VertexId v) {
+  return corners[0] == v || corners[1] == v || corners[2] == v;
+}
+
+/// The half-edge of the place in the Delaunay triangulation that leaves the corner which it lost.
+HalfEdgeId from_lost_corner(const TriangleMesh& delaunay, TriangleId place,
+                            const Corners& corners) {
+  HalfEdgeId h = TriangleMesh::halfedge(place);
+  while (has(corners, delaunay.origin(h))) h = HalfEdgeId(h + 1);
+  return h;
+}
+
+/// Whether a circle holds one point only, the origin of h, given the corners on it, which the
+/// triangle of h has but for one: points inside are connected in the Delaunay graph, so it is
+/// enough to ask the neighbours. False, too, if the boundary is in the way, or they are very many.
+bool holds_only_origin(const DelaunayGraph& graph, const Corners& corners, HalfEdgeId h) {
+  const TriangleMesh& mesh = graph.mesh;
+  if (graph.is_hub(mesh.origin(h))) return false;
+  const auto [a, b, c] = corners;
+  const Circle circle(graph.point(a), graph.point(b), graph.point(c));
+  if (!circle.contains(graph.point(mesh.origin(h)))) return false;
+  const VertexId last = mesh.target(h);
+  for (h = mesh.rotate_ccw(h); h.valid() && mesh.apex(h) != last; h = mesh.rotate_ccw(h)) {
+    const VertexId v = mesh.apex(h);
+    if (!has(corners, v) && circle.contains(graph.point(v))) return false;
+  }
+  return h.valid();
 }
 
 }  // namespace
@@ -32,11 +56,15 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
   parallel_for(0, changed.size(), 256, [&](std::size_t first, std::size_t last) {
     CircleCounter& counter = counters.mine();
     for (std::size_t i = first; i < last; ++i) {
-      const std::array<VertexId, 3> corners = mesh.corners(changed[i]);
-      const auto [a, b, c] = corners;
+      const Corners corners = mesh.corners(changed[i]);
       // A flip's triangle has the corner in its circle that its place had before.
-      orders[i] =
-          counter.count(a, b, c, kUnlimited, lost_corner(graph.mesh.corners(changed[i]), corners));
+      const HalfEdgeId lost = from_lost_corner(graph.mesh, changed[i], corners);
+      if (holds_only_origin(graph, corners, lost)) {
+        orders[i] = 1;
+        continue;
+      }
+      const auto [a, b, c] = corners;
+      orders[i] = counter.count(a, b, c, kUnlimited, graph.mesh.origin(lost));
     }
   });
 
