@@ -90,6 +90,10 @@ TEST_P(OrderFamilies, histogram_of_a_changed_triangulation) {
       const TriangleMesh mesh = support::make_mesh(d.vertices.size(), to_list(each.triangles));
       ASSERT_EQ(order_histogram(graph, mesh), expected);
       ASSERT_EQ(expected.size(), std::size_t(each.order) + 1);
+      // The same corners in another order are no other triangle.
+      List turned = to_list(each.triangles);
+      for (auto& corners : turned) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+      ASSERT_EQ(order_histogram(graph, support::make_mesh(d.vertices.size(), turned)), expected);
     }
     ASSERT_EQ(order_histogram(graph, d.mesh), std::vector<std::size_t>{d.mesh.triangle_count()});
   }

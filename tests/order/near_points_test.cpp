@@ -108,6 +108,18 @@ TEST(NearPoints, little_is_left_open) {
   }
 }
 
+/// Seen from u in nearly the same direction, where single precision does not tell.
+TEST(NearPoints, little_is_left_open_in_narrow_angles) {
+  for (const double width : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    std::vector<Point> points = support::uniform(60, 4);
+    for (Point& p : points) p = {1 + p.x, width * p.y};
+    points.front() = {0, 0};
+    const Openness openness = expect_true(Around(points));
+    EXPECT_GT(openness.all, 50000u);
+    EXPECT_LT(double(openness.open), 1e-2 * double(openness.all)) << width;
+  }
+}
+
 TEST(PlaceSet, is_a_set) {
   using Places = PlaceSet<4>;
   std::set<Index> a, b;

@@ -62,11 +62,11 @@ HODT_INLINE Value fold(const Value* values, const Operation& operation) {
 #if defined(__x86_64__) && defined(__GNUC__)
 // Not forced inline, which may not cross the border between instruction sets; they are inlined all
 // the same.
-__attribute__((target("avx512f,bmi,bmi2,lzcnt"))) inline std::uint64_t below(
+__attribute__((target("avx512f,bmi,bmi2"))) inline std::uint64_t below(
     const Lanes<16>::Floats& lanes, float limit) {
   return _mm512_cmp_ps_mask(lanes, _mm512_set1_ps(limit), _CMP_LT_OQ);
 }
-__attribute__((target("avx2,bmi,bmi2,lzcnt"))) inline std::uint64_t below(
+__attribute__((target("avx2,bmi,bmi2"))) inline std::uint64_t below(
     const Lanes<8>::Floats& lanes, float limit) {
   const __m256 is_below = _mm256_cmp_ps(lanes, _mm256_set1_ps(limit), _CMP_LT_OQ);
   return static_cast<std::uint32_t>(_mm256_movemask_ps(is_below));
@@ -85,11 +85,11 @@ inline std::uint64_t below(const Lanes<4>::Floats& lanes, float limit) {
 #if defined(__x86_64__) && defined(__GNUC__)
 #define HODT_FOR_LANES(kernel)                                                                    \
   template <class... Arguments>                                                                   \
-  __attribute__((target("avx512f,bmi,bmi2,lzcnt"))) auto kernel##_in_16(Arguments... arguments) { \
+  __attribute__((target("avx512f,bmi,bmi2"))) auto kernel##_in_16(Arguments... arguments) { \
     return kernel<16>(arguments...);                                                              \
   }                                                                                               \
   template <class... Arguments>                                                                   \
-  __attribute__((target("avx2,bmi,bmi2,lzcnt"))) auto kernel##_in_8(Arguments... arguments) {     \
+  __attribute__((target("avx2,bmi,bmi2"))) auto kernel##_in_8(Arguments... arguments) {     \
     return kernel<8>(arguments...);                                                               \
   }                                                                                               \
   template <class... Arguments>                                                                   \
@@ -101,6 +101,8 @@ inline std::uint64_t below(const Lanes<4>::Floats& lanes, float limit) {
 
 /// As many as the processor has: 16, 8 or 4.
 inline Index native_lanes() {
+  // All of them that have AVX2 have the instructions for bits as well, if nobody hides these.
+  if (!__builtin_cpu_supports("bmi") || !__builtin_cpu_supports("bmi2")) return 4;
   if (__builtin_cpu_supports("avx512f")) return 16;
   return __builtin_cpu_supports("avx2") ? 8 : 4;
 }

@@ -16,28 +16,30 @@ bool has(const Corners& corners, VertexId v) {
   return corners[0] == v || corners[1] == v || corners[2] == v;
 }
 
-/// The half-edge of the place in the Delaunay triangulation that leaves the corner which it lost.
+/// The half-edge of the place in the Delaunay triangulation that leaves a corner which it lost;
+/// kNone if it has the same corners in another order.
 HalfEdgeId from_lost_corner(const TriangleMesh& delaunay, TriangleId place,
                             const Corners& corners) {
-  HalfEdgeId h = TriangleMesh::halfedge(place);
-  while (has(corners, delaunay.origin(h))) h = HalfEdgeId(h + 1);
-  return h;
+  for (Index i = 0; i < 3; ++i)
+    if (const HalfEdgeId h(3 * place + i); !has(corners, delaunay.origin(h))) return h;
+  return {};
 }
 
-/// Whether a circle holds one point only, the origin of h, given the corners on it, which the
-/// triangle of h has but for one: points inside are connected in the Delaunay graph, so it is
-/// enough to ask the neighbours. False, too, if the boundary is in the way, or they are very many.
-bool holds_only_origin(const DelaunayGraph& graph, const Corners& corners, HalfEdgeId h) {
+/// Whether the circle through the corners holds one point only, the origin of `start`: points
+/// inside are connected in the Delaunay graph, so it is enough to ask the neighbours. False, too,
+/// if these are very many, or the boundary is in the way.
+bool holds_only_origin(const DelaunayGraph& graph, const Corners& corners, HalfEdgeId start) {
   const TriangleMesh& mesh = graph.mesh;
-  if (graph.is_hub(mesh.origin(h))) return false;
+  const VertexId origin = mesh.origin(start);
   const auto [a, b, c] = corners;
   const Circle circle(graph.point(a), graph.point(b), graph.point(c));
-  if (!circle.contains(graph.point(mesh.origin(h)))) return false;
-  const VertexId last = mesh.target(h);
-  for (h = mesh.rotate_ccw(h); h.valid() && mesh.apex(h) != last; h = mesh.rotate_ccw(h)) {
-    const VertexId v = mesh.apex(h);
+  if (graph.is_hub(origin) || !circle.contains(graph.point(origin))) return false;
+  HalfEdgeId h = start;
+  do {
+    const VertexId v = mesh.target(h);
     if (!has(corners, v) && circle.contains(graph.point(v))) return false;
-  }
+    h = mesh.rotate_ccw(h);
+  } while (h.valid() && h != start);
   return h.valid();
 }
 
@@ -59,12 +61,13 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
       const Corners corners = mesh.corners(changed[i]);
       // A flip's triangle has the corner in its circle that its place had before.
       const HalfEdgeId lost = from_lost_corner(graph.mesh, changed[i], corners);
-      if (holds_only_origin(graph, corners, lost)) {
+      if (lost.valid() && holds_only_origin(graph, corners, lost)) {
         orders[i] = 1;
         continue;
       }
       const auto [a, b, c] = corners;
-      orders[i] = counter.count(a, b, c, kUnlimited, graph.mesh.origin(lost));
+      orders[i] =
+          counter.count(a, b, c, kUnlimited, lost.valid() ? graph.mesh.origin(lost) : VertexId());
     }
   });
 
