@@ -66,8 +66,8 @@ __attribute__((target("avx512f,bmi,bmi2"))) inline std::uint64_t below(
     const Lanes<16>::Floats& lanes, float limit) {
   return _mm512_cmp_ps_mask(lanes, _mm512_set1_ps(limit), _CMP_LT_OQ);
 }
-__attribute__((target("avx2,bmi,bmi2"))) inline std::uint64_t below(
-    const Lanes<8>::Floats& lanes, float limit) {
+__attribute__((target("avx2,bmi,bmi2"))) inline std::uint64_t below(const Lanes<8>::Floats& lanes,
+                                                                    float limit) {
   const __m256 is_below = _mm256_cmp_ps(lanes, _mm256_set1_ps(limit), _CMP_LT_OQ);
   return static_cast<std::uint32_t>(_mm256_movemask_ps(is_below));
 }
@@ -83,20 +83,20 @@ inline std::uint64_t below(const Lanes<4>::Floats& lanes, float limit) {
 #endif
 
 #if defined(__x86_64__) && defined(__GNUC__)
-#define HODT_FOR_LANES(kernel)                                                                    \
-  template <class... Arguments>                                                                   \
+#define HODT_FOR_LANES(kernel)                                                              \
+  template <class... Arguments>                                                             \
   __attribute__((target("avx512f,bmi,bmi2"))) auto kernel##_in_16(Arguments... arguments) { \
-    return kernel<16>(arguments...);                                                              \
-  }                                                                                               \
-  template <class... Arguments>                                                                   \
+    return kernel<16>(arguments...);                                                        \
+  }                                                                                         \
+  template <class... Arguments>                                                             \
   __attribute__((target("avx2,bmi,bmi2"))) auto kernel##_in_8(Arguments... arguments) {     \
-    return kernel<8>(arguments...);                                                               \
-  }                                                                                               \
-  template <class... Arguments>                                                                   \
-  auto kernel##_in_lanes(Arguments... arguments) {                                                \
-    return lanes_in_use == 16  ? kernel##_in_16(arguments...)                                     \
-           : lanes_in_use == 8 ? kernel##_in_8(arguments...)                                      \
-                               : kernel<4>(arguments...);                                         \
+    return kernel<8>(arguments...);                                                         \
+  }                                                                                         \
+  template <class... Arguments>                                                             \
+  auto kernel##_in_lanes(Arguments... arguments) {                                          \
+    return lanes_in_use == 16  ? kernel##_in_16(arguments...)                               \
+           : lanes_in_use == 8 ? kernel##_in_8(arguments...)                                \
+                               : kernel<4>(arguments...);                                   \
   }
 
 /// As many as the processor has: 16, 8 or 4.

@@ -17,9 +17,8 @@
 
 namespace hodt {
 
-/// The images p with a p.x + b p.y < -c. Those with less than `in`, even if the slack counts
-/// against them, surely; and those for which -(a p.x + b p.y) is less than `out` surely are in the
-/// complement.
+/// A half-plane of images p. With value = a p.x + b p.y and doubt = slack * (rounding of p), p
+/// surely is in it if value + doubt < in, and surely is not if doubt - value < out.
 struct ImageHalfPlane {
   float a, b, slack, in, out;
 };
