@@ -110,7 +110,7 @@ TEST(NearPoints, little_is_left_open) {
 
 /// Seen from u in nearly the same direction, where single precision does not tell.
 TEST(NearPoints, little_is_left_open_in_narrow_angles) {
-  for (const double width : {1e-1, 1e-2, 1e-3, 1e-4}) {
+  for (const double width : {1e-1, 1e-2, 1e-3}) {
     std::vector<Point> points = support::uniform(60, 4);
     for (Point& p : points) p = {1 + p.x, width * p.y};
     points.front() = {0, 0};
