@@ -2,6 +2,17 @@
 
 namespace hodt {
 
+bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners, VertexId v) {
+  const auto [a, b, c] = corners;
+  const Circle circle(graph.point(a), graph.point(b), graph.point(c));
+  bool is_only = circle.contains(graph.point(v));
+  graph.for_each_neighbour(v, [&](VertexId w) {
+    // To ask about a corner would send it to exact arithmetic, for a known answer.
+    if (is_only && w != a && w != b && w != c) is_only = !circle.contains(graph.point(w));
+  });
+  return is_only;
+}
+
 void CircleCounter::begin_round() {
   inside_.clear();
   if (++round_ != 0) return;

@@ -1,6 +1,7 @@
 // How many points a circle holds.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,6 +12,10 @@ namespace hodt {
 
 /// A limit that no count exceeds.
 inline constexpr Index kUnlimited = kNone - 1;
+
+/// Whether the circle through three vertices (counter-clockwise) holds v and nothing else. Costs
+/// the neighbours of v, for the reason that CircleCounter gives.
+bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners, VertexId v);
 
 /// Counts by searching outward: in the Delaunay graph, the points inside a circle together with
 /// any one point on it are connected, and so are they alone. (Lifted to the paraboloid they are the

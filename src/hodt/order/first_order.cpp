@@ -9,26 +9,11 @@
 #include "hodt/base/clones.h"
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/order/circle_counter.h"
 
 namespace hodt {
 
 namespace {
-
-/// Whether the circle through the other corners of the quadrilateral with this diagonal, which
-/// holds the diagonal's origin, holds nothing else: points inside a circle are connected in the
-/// Delaunay graph, so it is enough to ask the origin's neighbours.
-bool holds_only_origin(const DelaunayGraph& graph, const Circle& circle, HalfEdgeId diagonal) {
-  const TriangleMesh& mesh = graph.mesh;
-  const VertexId last_corner = mesh.target(mesh.rotate_cw(diagonal));
-  HalfEdgeId h = mesh.rotate_ccw(diagonal);  // towards the first corner, seen from outside
-  for (; h.valid() && mesh.apex(h) != last_corner; h = mesh.rotate_ccw(h))
-    if (circle.contains(graph.point(mesh.apex(h)))) return false;
-  if (h.valid()) return true;
-  // The boundary was in the way: the others from the last corner backwards.
-  for (h = mesh.rotate_cw(mesh.rotate_cw(diagonal)); h.valid(); h = mesh.rotate_cw(h))
-    if (circle.contains(graph.point(mesh.target(h)))) return false;
-  return true;
-}
 
 /// Two Delaunay triangles and what is across their four outer edges.
 ///
@@ -124,26 +109,28 @@ HODT_CLONES void Batch::judge(std::size_t size) {
   }
 }
 
-/// holds_only_origin where the points beyond the sides at the origin are outside.
-bool holds_no_other(const DelaunayGraph& graph, const Circle& circle, HalfEdgeId diagonal) {
+using Corners = std::array<VertexId, 3>;
+
+/// holds_only for a circle through the other corners of the quadrilateral with this diagonal and
+/// its origin, where the points beyond the sides at the origin are outside.
+bool holds_only_origin(const DelaunayGraph& graph, const Corners& corners, HalfEdgeId diagonal) {
   const TriangleMesh& mesh = graph.mesh;
+  const auto [a, b, c] = corners;
+  const Circle circle(graph.point(a), graph.point(b), graph.point(c));
   const HalfEdgeId last_side = mesh.rotate_cw(diagonal);
   const VertexId last = mesh.apex(mesh.twin(last_side));
   HalfEdgeId h = mesh.rotate_ccw(mesh.rotate_ccw(diagonal));
-  if (!h.valid()) return holds_only_origin(graph, circle, diagonal);
-  for (; mesh.target(h) != last && mesh.apex(h) != last; h = mesh.rotate_ccw(h)) {
+  for (; h.valid() && mesh.target(h) != last && mesh.apex(h) != last; h = mesh.rotate_ccw(h))
     if (circle.contains(graph.point(mesh.apex(h)))) return false;
-    if (!mesh.rotate_ccw(h).valid()) return holds_only_origin(graph, circle, diagonal);
-  }
-  return true;
+  // Unless the boundary was in the way.
+  return h.valid() || holds_only(graph, corners, mesh.origin(diagonal));
 }
 
 bool is_flippable_beyond_nearest(const DelaunayGraph& graph, HalfEdgeId h) {
   const TriangleMesh& mesh = graph.mesh;
   const HalfEdgeId twin = mesh.twin(h);
-  const Point &s = graph.point(mesh.origin(h)), &y = graph.point(mesh.target(h)),
-              &v = graph.point(mesh.apex(h)), &u = graph.point(mesh.apex(twin));
-  return holds_no_other(graph, Circle(u, v, s), twin) && holds_no_other(graph, Circle(v, u, y), h);
+  const VertexId s = mesh.origin(h), y = mesh.target(h), v = mesh.apex(h), u = mesh.apex(twin);
+  return holds_only_origin(graph, {u, v, s}, twin) && holds_only_origin(graph, {v, u, y}, h);
 }
 
 }  // namespace
@@ -154,11 +141,9 @@ bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
   // The diagonal u v crosses the edge s y; s is to the left of u v, so s, u, y, v go around.
   const VertexId s = mesh.origin(h), y = mesh.target(h);
   const VertexId v = mesh.apex(h), u = mesh.apex(mesh.twin(h));
-  const Point &ps = graph.point(s), &py = graph.point(y), &pu = graph.point(u),
-              &pv = graph.point(v);
-  if (orient(pu, pv, ps) <= 0 || orient(pv, pu, py) <= 0) return false;  // not convex
-  return holds_only_origin(graph, Circle(pu, pv, ps), mesh.twin(h)) &&
-         holds_only_origin(graph, Circle(pv, pu, py), h);
+  const Point &pu = graph.point(u), &pv = graph.point(v);
+  const bool is_convex = orient(pu, pv, graph.point(s)) > 0 && orient(pv, pu, graph.point(y)) > 0;
+  return is_convex && holds_only(graph, {u, v, s}, y) && holds_only(graph, {v, u, y}, s);
 }
 
 std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,

@@ -48,7 +48,7 @@ class NearPoints {
   HODT_INLINE ImageHalfPlane left_of(Index i) const;
 
   /// The points that surely are in a half-plane, and those that surely are in its complement, not
-  /// on its line. Places that are not taken are never in one.
+  /// on its line. Places that are not taken are never in a half-plane.
   struct Split {
     Set in, out;
   };
@@ -60,14 +60,15 @@ class NearPoints {
   }
 
  private:
-  // Rounding, in units e = 2^-24. The coordinates of images are off by little more than 4 e of
-  // themselves, a and b by e of the larger of them, the sum by 3 e of |a X| + |b Y|: less than 9 e
-  // max(|a|, |b|) (|X| + |Y|) in all. 16 leave room for the rounding of the bound; kTiny is far
-  // above what underflow can do, with images of at least 2^-55.
+  // Rounding, in units e = 2^-24. The coordinates of images are off by at most 4 e of themselves,
+  // and so the value of p by at most 11 e times slack (|X| + |Y|): for `inside`, where a and b are
+  // differences of images, just as well as where they are images or rounded themselves. 16 leave
+  // room for the rounding of the bound; kTiny is far above what underflow can do, with images of at
+  // least 2^-55. They are at most 2^51, where no product overflows.
   static constexpr float kSlack = 16 * 0x1p-24f;
   static constexpr float kTiny = 0x1p-90f;
   static constexpr float kMostSquared = 0x1p+110f;
-  // Of directions that differ by an angle with a sine above 2^-8 the images tell enough.
+  // Of directions that differ by an angle with a sine above 2^-7 the images tell enough.
   static constexpr float kSharp = 0x1p+12f;
   static constexpr float kTinyCross = 0x1p-80f;
 
@@ -85,7 +86,7 @@ template <Index kWords>
 HODT_INLINE void NearPoints<kWords>::clear(double nearest) {
   size_ = 1;
   larger_ = {};
-  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(nearest), -1020, 1000));
+  scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(nearest), -1023, 1000));
 }
 
 template <Index kWords>
@@ -135,11 +136,11 @@ HODT_INLINE bool NearPoints<kWords>::add(Index size) {
 
 template <Index kWords>
 HODT_INLINE ImageHalfPlane NearPoints<kWords>::inside(Index i, Index j) const {
-  // The line through the images P and Q is P x Q - p x (Q - P) = 0, and positive at u.
+  // The line through the images P and Q is P x Q - p x (Q - P) = 0, and positive at 0.
   const float xi = image_x_[i], yi = image_y_[i], xj = image_x_[j], yj = image_y_[j];
   const float cross = xi * yj - yi * xj;
-  // Of `rounding`, 1 / kSlack is the size of an image. The error of the cross product is below
-  // 10 e, and that of the value at p below 12 e, times both sizes.
+  // 1 / kSlack times `rounding` is the size of an image. The error of the cross product is at most
+  // 11 e times both sizes, and that of the value at p 11 e times its size and the sum of the two.
   const float slack = (rounding_[i] + rounding_[j]) * (1 / kSlack);
   const float doubt = rounding_[i] * rounding_[j] * (1 / kSlack);
   if (cross > kSharp * doubt + kTinyCross) [[likely]]

@@ -10,37 +10,11 @@ namespace hodt {
 
 namespace {
 
-using Corners = std::array<VertexId, 3>;
-
-bool has(const Corners& corners, VertexId v) {
-  return corners[0] == v || corners[1] == v || corners[2] == v;
-}
-
-/// The half-edge of the place in the Delaunay triangulation that leaves a corner which it lost;
-/// kNone if it has the same corners in another order.
-HalfEdgeId from_lost_corner(const TriangleMesh& delaunay, TriangleId place,
-                            const Corners& corners) {
-  for (Index i = 0; i < 3; ++i)
-    if (const HalfEdgeId h(3 * place + i); !has(corners, delaunay.origin(h))) return h;
+/// A corner that the first triangle has and the second one not; kNone if there is none.
+VertexId lost_corner(const std::array<VertexId, 3>& before, const std::array<VertexId, 3>& after) {
+  for (const VertexId v : before)
+    if (std::find(after.begin(), after.end(), v) == after.end()) return v;
   return {};
-}
-
-/// Whether the circle through the corners holds one point only, the origin of `start`: points
-/// inside are connected in the Delaunay graph, so it is enough to ask the neighbours. False, too,
-/// if these are very many, or the boundary is in the way.
-bool holds_only_origin(const DelaunayGraph& graph, const Corners& corners, HalfEdgeId start) {
-  const TriangleMesh& mesh = graph.mesh;
-  const VertexId origin = mesh.origin(start);
-  const auto [a, b, c] = corners;
-  const Circle circle(graph.point(a), graph.point(b), graph.point(c));
-  if (graph.is_hub(origin) || !circle.contains(graph.point(origin))) return false;
-  HalfEdgeId h = start;
-  do {
-    const VertexId v = mesh.target(h);
-    if (!has(corners, v) && circle.contains(graph.point(v))) return false;
-    h = mesh.rotate_ccw(h);
-  } while (h.valid() && h != start);
-  return h.valid();
 }
 
 }  // namespace
@@ -58,16 +32,16 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
   parallel_for(0, changed.size(), 256, [&](std::size_t first, std::size_t last) {
     CircleCounter& counter = counters.mine();
     for (std::size_t i = first; i < last; ++i) {
-      const Corners corners = mesh.corners(changed[i]);
-      // A flip's triangle has the corner in its circle that its place had before.
-      const HalfEdgeId lost = from_lost_corner(graph.mesh, changed[i], corners);
-      if (lost.valid() && holds_only_origin(graph, corners, lost)) {
+      const std::array<VertexId, 3> corners = mesh.corners(changed[i]);
+      // A flip's triangle has the corner in its circle that its place had before, and mostly that
+      // is all.
+      const VertexId lost = lost_corner(graph.mesh.corners(changed[i]), corners);
+      if (lost.valid() && !graph.is_hub(lost) && holds_only(graph, corners, lost)) {
         orders[i] = 1;
         continue;
       }
       const auto [a, b, c] = corners;
-      orders[i] =
-          counter.count(a, b, c, kUnlimited, lost.valid() ? graph.mesh.origin(lost) : VertexId());
+      orders[i] = counter.count(a, b, c, kUnlimited, lost);
     }
   });
 
