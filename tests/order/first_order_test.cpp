@@ -1,6 +1,8 @@
 #include "hodt/order/first_order.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -99,6 +101,43 @@ TEST(FirstOrderLarge, agrees_with_the_search_and_flips_independently) {
     };
     EXPECT_EQ(with_threads(1), with_threads(2));
   }
+}
+
+/// A hub, and so many points around it from one direction to another, near a circle.
+support::Points fan(std::size_t n, double noise, double from, double to) {
+  families::Random random(7);
+  support::Points points = {{0, 0}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = from + (to - from) * double(i) / double(n), r = 1 + noise * random.real();
+    points.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  return points;
+}
+
+TEST(FirstOrderLarge, past_hubs_as_one_by_one) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  support::Points two = fan(600, 0, 0, kTurn);
+  for (const Point& p : fan(500, 1e-12, 0, kTurn)) two.push_back({p.x + 3, p.y});
+  std::size_t hub_flips = 0;
+  for (const support::Points& points :
+       {fan(700, 0, 0, kTurn), fan(700, 1e-15, 0, kTurn), fan(700, 1e-3, 0, kTurn),
+        fan(700, 0, 0.1, 1), fan(700, 1e-4, 0.1, 1), fan(700, 0, 0, kTurn / 2), two}) {
+    const Delaunay d = delaunay({points, {}});
+    const DelaunayGraph graph(d);
+    std::vector<HalfEdgeId> expected;
+    for_each_inner_edge(d.mesh, [&](HalfEdgeId h) {
+      if (is_first_order_flippable(graph, h)) expected.push_back(h);
+    });
+    EXPECT_EQ(first_order_edges(graph), expected);
+    Index most = 0;
+    for (Index v = 0; v < d.mesh.vertex_count(); ++v) {
+      Index degree = 0;
+      graph.for_each_neighbour(VertexId(v), [&](VertexId) { ++degree; });
+      most = std::max(most, degree);
+    }
+    hub_flips += most > 300 ? expected.size() : 0;
+  }
+  EXPECT_GT(hub_flips, 1000u) << "there are hubs, and edges to flip beside them";
 }
 
 }  // namespace

@@ -3,14 +3,24 @@
 namespace hodt {
 
 bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners, VertexId v) {
+  const TriangleMesh& mesh = graph.mesh;
   const auto [a, b, c] = corners;
   const Circle circle(graph.point(a), graph.point(b), graph.point(c));
-  bool is_only = circle.contains(graph.point(v));
-  graph.for_each_neighbour(v, [&](VertexId w) {
+  const auto is_inside = [&](VertexId w) {
     // To ask about a corner would send it to exact arithmetic, for a known answer.
-    if (is_only && w != a && w != b && w != c) is_only = !circle.contains(graph.point(w));
-  });
-  return is_only;
+    return w != a && w != b && w != c && circle.contains(graph.point(w));
+  };
+  if (!is_inside(v)) return false;
+  // for_each_neighbour, but of very many neighbours mostly one of the first is inside.
+  const HalfEdgeId start = graph.outgoing[v];
+  HalfEdgeId h = start;
+  do {
+    if (is_inside(mesh.target(h))) return false;
+    const HalfEdgeId following = mesh.rotate_ccw(h);
+    if (!following.valid()) return !is_inside(mesh.apex(h));
+    h = following;
+  } while (h != start);
+  return true;
 }
 
 void CircleCounter::begin_round() {

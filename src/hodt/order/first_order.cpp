@@ -4,6 +4,8 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <span>
 
 #include "hodt/base/clones.h"
@@ -111,6 +113,45 @@ HODT_CLONES void Batch::judge(std::size_t size) {
 
 using Corners = std::array<VertexId, 3>;
 
+/// holds_only for many circles at once, also of threads side by side. Where a vertex has very many
+/// neighbours, to ask all of them each time would take the square of their number: then those of a
+/// corner are asked, past such vertices.
+class SoleInside {
+ public:
+  explicit SoleInside(const DelaunayGraph& graph) : graph_(graph) {}
+
+  bool holds_only(const Corners& corners, VertexId v) {
+    return has_many_neighbours(v) ? past_hubs().count(corners[0], corners[1], corners[2], 1) == 1
+                                  : hodt::holds_only(graph_, corners, v);
+  }
+
+ private:
+  bool has_many_neighbours(VertexId v) const {
+    HalfEdgeId h = graph_.outgoing[v];
+    for (int i = 0; i < kMany; ++i) {
+      h = graph_.mesh.rotate_ccw(h);
+      if (!h.valid() || h == graph_.outgoing[v]) return false;
+    }
+    return true;
+  }
+  CircleCounter& past_hubs() {
+    std::call_once(is_listed_, [&] {
+      listed_.emplace(graph_);
+      listed_->list_neighbours();
+      counters_.emplace([this] { return CircleCounter(*listed_); });
+    });
+    return counters_->mine();
+  }
+
+  static constexpr int kMany = 256;  // hubs have fewer
+
+  const DelaunayGraph& graph_;
+  // When the first hub is met.
+  std::once_flag is_listed_;
+  std::optional<DelaunayGraph> listed_;
+  std::optional<PerThread<CircleCounter>> counters_;
+};
+
 /// holds_only for a circle through the other corners of the quadrilateral with this diagonal and
 /// its origin, where the points beyond the sides at the origin are outside.
 bool holds_only_origin(const DelaunayGraph& graph, const Corners& corners, HalfEdgeId diagonal) {
@@ -133,9 +174,9 @@ bool is_flippable_beyond_nearest(const DelaunayGraph& graph, HalfEdgeId h) {
   return holds_only_origin(graph, {u, v, s}, twin) && holds_only_origin(graph, {v, u, y}, h);
 }
 
-}  // namespace
-
-bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
+/// With the way to ask whether a circle holds a vertex only.
+template <class HoldsOnly>
+bool is_flippable(const DelaunayGraph& graph, HalfEdgeId h, const HoldsOnly& holds_only) {
   const TriangleMesh& mesh = graph.mesh;
   if (mesh.is_boundary(h)) return false;
   // The diagonal u v crosses the edge s y; s is to the left of u v, so s, u, y, v go around.
@@ -143,12 +184,23 @@ bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
   const VertexId v = mesh.apex(h), u = mesh.apex(mesh.twin(h));
   const Point &pu = graph.point(u), &pv = graph.point(v);
   const bool is_convex = orient(pu, pv, graph.point(s)) > 0 && orient(pv, pu, graph.point(y)) > 0;
-  return is_convex && holds_only(graph, {u, v, s}, y) && holds_only(graph, {v, u, y}, s);
+  return is_convex && holds_only({u, v, s}, y) && holds_only({v, u, y}, s);
+}
+
+}  // namespace
+
+bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
+  return is_flippable(
+      graph, h, [&](const Corners& corners, VertexId v) { return holds_only(graph, corners, v); });
 }
 
 std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
                                           const KeepWanted& keep_wanted) {
   const TriangleMesh& mesh = graph.mesh;
+  SoleInside inside(graph);
+  const auto holds_only = [&](const Corners& corners, VertexId v) {
+    return inside.holds_only(corners, v);
+  };
   const auto find = [&](std::size_t first, std::size_t last, std::vector<HalfEdgeId>& found) {
     Batch batch;
     std::array<HalfEdgeId, Batch::kSize> edges;
@@ -165,7 +217,7 @@ std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
         const Batch::Verdict verdict = batch.verdict(i);
         if (verdict == Batch::kNo) continue;
         if (verdict == Batch::kNearestOutside ? is_flippable_beyond_nearest(graph, edges[i])
-                                              : is_first_order_flippable(graph, edges[i]))
+                                              : is_flippable(graph, edges[i], holds_only))
           found.push_back(edges[i]);
       }
     }
