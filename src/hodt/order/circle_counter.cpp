@@ -2,7 +2,14 @@
 
 namespace hodt {
 
-bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners, VertexId v) {
+namespace {
+
+/// Of a vertex that has more neighbours than hubs need (see DelaunayGraph), so many are asked.
+constexpr std::size_t kMany = 256;
+
+/// holds_only, if that is known from so many neighbours of v.
+std::optional<bool> holds_only_by(std::size_t most, const DelaunayGraph& graph,
+                                  const std::array<VertexId, 3>& corners, VertexId v) {
   const TriangleMesh& mesh = graph.mesh;
   const auto [a, b, c] = corners;
   const Circle circle(graph.point(a), graph.point(b), graph.point(c));
@@ -11,16 +18,22 @@ bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corne
     return w != a && w != b && w != c && circle.contains(graph.point(w));
   };
   if (!is_inside(v)) return false;
-  // for_each_neighbour, but of very many neighbours mostly one of the first is inside.
   const HalfEdgeId start = graph.outgoing[v];
   HalfEdgeId h = start;
-  do {
+  for (std::size_t asked = 0; asked < most; ++asked) {
     if (is_inside(mesh.target(h))) return false;
     const HalfEdgeId following = mesh.rotate_ccw(h);
     if (!following.valid()) return !is_inside(mesh.apex(h));
+    if (following == start) return true;
     h = following;
-  } while (h != start);
-  return true;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners, VertexId v) {
+  return *holds_only_by(graph.xy.size(), graph, corners, v);
 }
 
 void CircleCounter::begin_round() {
@@ -51,6 +64,22 @@ Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
   for (std::size_t i = 0; i < inside_.size() && inside_.size() <= limit; ++i)
     go_on_from(inside_[i]);
   return static_cast<Index>(inside_.size());
+}
+
+bool SoleInside::holds_only(const std::array<VertexId, 3>& corners, VertexId v) {
+  if (const std::optional<bool> known = holds_only_by(kMany, graph_, corners, v)) return *known;
+  const auto [a, b, c] = corners;
+  CircleCounter& counter = past_hubs();
+  return counter.count(a, b, c, 1) == 1 && counter.inside().front() == v;
+}
+
+CircleCounter& SoleInside::past_hubs() {
+  std::call_once(is_listed_, [&] {
+    listed_.emplace(graph_);
+    listed_->list_neighbours();
+    counters_.emplace([this] { return CircleCounter(*listed_); });
+  });
+  return counters_->mine();
 }
 
 }  // namespace hodt

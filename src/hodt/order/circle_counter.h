@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "hodt/base/parallel.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
@@ -46,6 +49,25 @@ class CircleCounter {
   Buffer<std::uint32_t> seen_;  // the round in which a vertex was last looked at
   std::uint32_t round_ = 0;
   std::vector<VertexId> inside_;
+};
+
+/// holds_only for many circles, also asked about by several threads at once. Where a vertex has
+/// very many neighbours, asking all of them each time would take the square of their number: then
+/// those of a corner are asked, past such vertices.
+class SoleInside {
+ public:
+  explicit SoleInside(const DelaunayGraph& graph) : graph_(graph) {}
+
+  bool holds_only(const std::array<VertexId, 3>& corners, VertexId v);
+
+ private:
+  CircleCounter& past_hubs();
+
+  const DelaunayGraph& graph_;
+  // When the first such vertex is met.
+  std::once_flag is_listed_;
+  std::optional<DelaunayGraph> listed_;
+  std::optional<PerThread<CircleCounter>> counters_;
 };
 
 }  // namespace hodt

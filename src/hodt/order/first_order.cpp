@@ -4,8 +4,6 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <mutex>
-#include <optional>
 #include <span>
 
 #include "hodt/base/clones.h"
@@ -112,45 +110,6 @@ HODT_CLONES void Batch::judge(std::size_t size) {
 }
 
 using Corners = std::array<VertexId, 3>;
-
-/// holds_only for many circles at once, also of threads side by side. Where a vertex has very many
-/// neighbours, to ask all of them each time would take the square of their number: then those of a
-/// corner are asked, past such vertices.
-class SoleInside {
- public:
-  explicit SoleInside(const DelaunayGraph& graph) : graph_(graph) {}
-
-  bool holds_only(const Corners& corners, VertexId v) {
-    return has_many_neighbours(v) ? past_hubs().count(corners[0], corners[1], corners[2], 1) == 1
-                                  : hodt::holds_only(graph_, corners, v);
-  }
-
- private:
-  bool has_many_neighbours(VertexId v) const {
-    HalfEdgeId h = graph_.outgoing[v];
-    for (int i = 0; i < kMany; ++i) {
-      h = graph_.mesh.rotate_ccw(h);
-      if (!h.valid() || h == graph_.outgoing[v]) return false;
-    }
-    return true;
-  }
-  CircleCounter& past_hubs() {
-    std::call_once(is_listed_, [&] {
-      listed_.emplace(graph_);
-      listed_->list_neighbours();
-      counters_.emplace([this] { return CircleCounter(*listed_); });
-    });
-    return counters_->mine();
-  }
-
-  static constexpr int kMany = 256;  // hubs have fewer
-
-  const DelaunayGraph& graph_;
-  // When the first hub is met.
-  std::once_flag is_listed_;
-  std::optional<DelaunayGraph> listed_;
-  std::optional<PerThread<CircleCounter>> counters_;
-};
 
 /// holds_only for a circle through the other corners of the quadrilateral with this diagonal and
 /// its origin, where the points beyond the sides at the origin are outside.

@@ -28,6 +28,7 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
   const std::vector<TriangleId> changed =
       parallel_collect<TriangleId>(0, mesh.triangle_count(), 1 << 14, find_changed);
   std::vector<Index> orders(changed.size());
+  SoleInside sole(graph);
   PerThread<CircleCounter> counters([&] { return CircleCounter(graph); });
   parallel_for(0, changed.size(), 256, [&](std::size_t first, std::size_t last) {
     CircleCounter& counter = counters.mine();
@@ -36,7 +37,7 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
       // A flip's triangle has the corner in its circle that its place had before, and mostly that
       // is all.
       const VertexId lost = lost_corner(graph.mesh.corners(changed[i]), corners);
-      if (lost.valid() && !graph.is_hub(lost) && holds_only(graph, corners, lost)) {
+      if (lost.valid() && sole.holds_only(corners, lost)) {
         orders[i] = 1;
         continue;
       }
