@@ -75,9 +75,8 @@ bool SoleInside::holds_only(const std::array<VertexId, 3>& corners, VertexId v) 
 
 CircleCounter& SoleInside::past_hubs() {
   std::call_once(is_listed_, [&] {
-    listed_.emplace(graph_);
-    listed_->list_neighbours();
-    counters_.emplace([this] { return CircleCounter(*listed_); });
+    if (!graph_.has_hubs()) listed_.emplace(graph_).list_neighbours();
+    counters_.emplace([this] { return CircleCounter(listed_ ? *listed_ : graph_); });
   });
   return counters_->mine();
 }

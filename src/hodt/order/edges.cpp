@@ -13,7 +13,7 @@ namespace hodt {
 
 namespace {
 
-/// By v. Mostly a handful, for which the general way takes several times as long.
+/// By v. Mostly a handful, for which std::sort has too much to prepare.
 void sort_by_end(std::span<EdgeRecord> records) {
   if (records.size() > 32)
     return std::sort(records.begin(), records.end(),

@@ -63,8 +63,8 @@ class Neighbourhood {
   SectorLevels levels_;
   std::vector<Index> least_order_;
   std::unique_ptr<Pencil> pencil_;
-  Buffer<std::uint32_t>
-      seen_;  // from the first round on: the one in which a vertex was last taken up
+  // From the first round on: the one in which a vertex was last taken up.
+  Buffer<std::uint32_t> seen_;
   std::uint32_t round_ = 0;
 };
 
