@@ -119,7 +119,8 @@ std::string artificial_dam() {
   const Scene scene(valley());
   const auto solution =
       hodt::remove_extrema({.graph = scene.graph, .z = scene.delaunay.vertices.z, .order = 1});
-  const std::vector<Ends> before = edges_of(scene.graph.mesh), after = edges_of(solution.mesh);
+  const std::vector<Ends> before = edges_of(scene.graph.mesh),
+                          after = edges_of(solution.change.applied_to(scene.delaunay.mesh));
   Page page(366, "An artificial dam, and the flip that opens it");
   {
     Panel panel(page, {10, 8, 336, 320}, scene.graph.xy,
@@ -144,7 +145,8 @@ std::string artificial_dam() {
 std::string extrema_cycle() {
   const Scene scene(ring());
   const auto solution = hodt::minimize_first_order_extrema(scene.graph, scene.delaunay.vertices.z);
-  const std::vector<Ends> fixed = fixed_edges_of(scene), after = edges_of(solution.mesh);
+  const std::vector<Ends> fixed = fixed_edges_of(scene),
+                          after = edges_of(solution.change.applied_to(scene.delaunay.mesh));
   Page page(386, "Minima and maxima that compete for quadrilaterals");
   {
     Panel panel(page, {10, 8, 336, 320}, scene.graph.xy, "fixed edges for k = 1");

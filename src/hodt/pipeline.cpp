@@ -83,8 +83,7 @@ ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
 }
 
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
-TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& options,
-                       Report& report) {
+void optimize_and_verify(Delaunay& delaunay, const TriangulateOptions& options, Report& report) {
   DelaunayGraph graph(delaunay);
   if (options.order > 1) graph.list_neighbours_if_hubs();
   const Buffer<bool> keep = asks_to_keep(options)
@@ -99,7 +98,7 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
                               .keep = keep,
                               .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
-  report.order_histogram = order_histogram(graph, optimum.mesh);
+  report.order_histogram = order_histogram(graph, optimum.change);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)
     throw std::logic_error(fmt::format(
@@ -107,7 +106,7 @@ TriangleMesh optimized(const Delaunay& delaunay, const TriangulateOptions& optio
         "with the input",
         report.order, options.order));
   report.value = optimum.value;
-  return std::move(optimum.mesh);
+  std::move(optimum.change).apply_to(delaunay.mesh);
 }
 
 }  // namespace
@@ -133,7 +132,7 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
 
   if (options.objective != Objective::none) {
     watch.lap();
-    delaunay.mesh = optimized(delaunay, options, report);
+    optimize_and_verify(delaunay, options, report);
     report.seconds.optimize = watch.lap();
     if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices);
   }

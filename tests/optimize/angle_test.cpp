@@ -39,18 +39,27 @@ TEST(Angle, is_that_of_the_arctangent) {
     ASSERT_NEAR(degrees(sine, cosine), expected, 4 * unit) << sine << ' ' << cosine;
   }
   EXPECT_TRUE(std::isnan(degrees(0, 0)));
-  EXPECT_EQ(degrees(1e-300, 1), 0);  // as half_tangent has it
+  EXPECT_EQ(degrees(1e-300, 1), 0);
 }
 
-TEST(Angle, grows_as_the_half_tangent_does) {
-  double before = -1, tangent_before = -1;
-  for (int i = 0; i <= 18000; ++i) {
+TEST(Angle, grows_as_its_rank_does) {
+  double before = -1, rank_before = -std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= 18000; ++i) {
     const double radians = i * 0.01 / 180 * std::numbers::pi;
     const double sine = std::max(0.0, std::sin(radians)), cosine = std::cos(radians);
     EXPECT_GT(degrees(sine, cosine), before);
-    EXPECT_GT(half_tangent(sine, cosine), tangent_before);
+    EXPECT_GT(angle_rank(sine, cosine), rank_before);
     before = degrees(sine, cosine);
-    tangent_before = half_tangent(sine, cosine);
+    rank_before = angle_rank(sine, cosine);
+  }
+  EXPECT_LT(angle_rank(0, 1), angle_rank(1e-300, 1));
+  EXPECT_EQ(angle_rank(0, 0), angle_rank(0, 1));  // no angle at all
+}
+
+TEST(Angle, is_that_of_its_rank) {
+  for (const auto& [sine, cosine] : many_angles()) {
+    if (sine < 0) continue;  // 180 degrees, rounded
+    ASSERT_EQ(degrees_of_rank(angle_rank(sine, cosine)), degrees(sine, cosine));
   }
 }
 

@@ -149,44 +149,102 @@ TEST(TriangleValues, are_those_of_other_formulas) {
   }
 }
 
-/// Side by side and one by one, before and after flips.
-TEST(TriangleValues, ranks_compare_as_values_do) {
-  for (const support::Points& points : {support::uniform(300, 8), support::lattice(17, 17)}) {
-    std::vector<double> z(points.size());
-    for (std::size_t i = 0; i < z.size(); ++i) z[i] = double(i % 5 == 0);
-    const Delaunay d = delaunay({points, z});
+/// All inner edges, and of these some that have no triangle in common.
+struct Flips {
+  explicit Flips(const TriangleMesh& mesh) {
+    std::vector<bool> used(mesh.triangle_count(), false);
+    for_each_inner_edge(mesh, [&](HalfEdgeId h) {
+      all.push_back(h);
+      const TriangleId left = TriangleMesh::triangle(h);
+      const TriangleId right = TriangleMesh::triangle(mesh.twin(h));
+      if (used[left] || used[right] || all.size() % 3 == 0) return;
+      used[left] = used[right] = true;
+      apart.push_back(h);
+    });
+  }
+  std::vector<HalfEdgeId> all, apart;
+};
+
+class FlipValues : public testing::Test {
+ protected:
+  template <class F>
+  static void for_each_set(const F& f) {
+    for (const support::Points& points : {support::uniform(300, 8), support::lattice(17, 17)}) {
+      std::vector<double> z(points.size());
+      for (std::size_t i = 0; i < z.size(); ++i) z[i] = double(i % 5 == 0);
+      const Delaunay d = delaunay({points, z});
+      const Flips flips(d.mesh);
+      ASSERT_GT(flips.all.size(), 500u);  // more than go side by side
+      for (const Objective& objective : all_objectives())
+        f(d, flips, TriangleValues(objective, d.vertices.xy, d.vertices.z));
+    }
+  }
+};
+
+/// Side by side, where angles are compared by other numbers than one by one.
+TEST_F(FlipValues, are_compared_as_values_are) {
+  std::size_t decided = 0, better = 0;
+  for_each_set([&](const Delaunay& d, const Flips& flips, const TriangleValues& values) {
     const TriangleMesh& mesh = d.mesh;
-    std::vector<HalfEdgeId> edges;
-    for_each_inner_edge(mesh, [&](HalfEdgeId h) { edges.push_back(h); });
-    ASSERT_GT(edges.size(), 500u);  // more than go side by side
-    for (const Objective& objective : all_objectives()) {
-      const TriangleValues values(objective, d.vertices.xy, d.vertices.z);
-      std::vector<double> value;
-      const Buffer<double> all_ranks = values.ranks(mesh);
-      std::vector<double> rank(all_ranks.begin(), all_ranks.end());
+    std::vector<HalfEdgeId> kept = flips.all;
+    kept.resize(values.keep_better_flips(mesh, kept));
+    EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+    for (const HalfEdgeId h : flips.all) {
+      const VertexId a = mesh.origin(h), b = mesh.target(h);
+      const VertexId c = mesh.apex(h), e = mesh.apex(mesh.twin(h));
+      const std::array<double, 4> v{values.of(a, e, c), values.of(b, c, e), values.of(a, b, c),
+                                    values.of(b, a, e)};
+      const bool is_better = values.better_pair(v[0], v[1], v[2], v[3]);
+      // What rounding decides may differ.
+      const auto nearly = [&](double x) { return x - tolerance(x); };
+      const auto more = [&](double x) { return x + tolerance(x); };
+      if (values.better_pair(nearly(v[0]), nearly(v[1]), more(v[2]), more(v[3])) != is_better ||
+          values.better_pair(more(v[0]), more(v[1]), nearly(v[2]), nearly(v[3])) != is_better)
+        continue;
+      ++decided;
+      better += std::size_t{is_better};
+      EXPECT_EQ(std::binary_search(kept.begin(), kept.end(), h), is_better)
+          << name_of(values.objective());
+    }
+  });
+  EXPECT_GT(decided, 10000u);
+  EXPECT_GT(better, 1000u);
+}
+
+TEST_F(FlipValues, add_up_to_that_of_the_flipped_mesh) {
+  for_each_set([](const Delaunay& d, const Flips& flips, const TriangleValues& values) {
+    TriangleMesh flipped = d.mesh;
+    for (const HalfEdgeId h : flips.apart) flipped.flip(h);
+    const auto value = [&](const TriangleMesh& mesh) {
+      double all = values.neutral();
       for (Index t = 0; t < mesh.triangle_count(); ++t) {
         const auto [a, b, c] = mesh.corners(TriangleId(t));
-        value.push_back(values.of(a, b, c));
-        EXPECT_EQ(values.of(c, b, a), value.back()) << name_of(objective);
-        EXPECT_EQ(values.of(b, a, c), value.back()) << name_of(objective);
+        all = values.combine(all, values.of(a, b, c));
       }
-      std::vector<double> left(edges.size()), right(edges.size());
-      values.ranks_flipped(mesh, edges, left.data(), right.data());
-      for (std::size_t i = 0; i < edges.size(); ++i) {
-        const VertexId a = mesh.origin(edges[i]), b = mesh.target(edges[i]);
-        const VertexId c = mesh.apex(edges[i]), e = mesh.apex(mesh.twin(edges[i]));
-        value.insert(value.end(), {values.of(a, e, c), values.of(b, c, e)});
-        rank.insert(rank.end(), {left[i], right[i]});
-      }
-      if (objective.aggregate == Aggregate::sum) {
-        EXPECT_EQ(rank, value) << name_of(objective);
-        continue;
-      }
-      for (std::size_t i = 0; i + 1 < value.size(); ++i)
-        for (const std::size_t j : {i + 1, (7 * i) % value.size()}) {
-          if (std::fabs(value[i] - value[j]) <= tolerance(value[i])) continue;
-          EXPECT_EQ(rank[i] < rank[j], value[i] < value[j]) << name_of(objective);
-        }
+      return all;
+    };
+    const auto [before, after] = values.with_flips(d.mesh, flips.apart);
+    EXPECT_EQ(before, values.of(d.mesh));
+    if (values.objective().aggregate != Aggregate::sum) {  // to the bit
+      EXPECT_EQ(before, value(d.mesh)) << name_of(values.objective());
+      EXPECT_EQ(after, value(flipped)) << name_of(values.objective());
+      return;
+    }
+    EXPECT_NEAR(after, values.of(flipped), 1e-12 * after) << name_of(values.objective());
+    if (values.objective().measure == Measure::length) return;  // hull edges count in full
+    EXPECT_NEAR(before, value(d.mesh), 1e-12 * before) << name_of(values.objective());
+  });
+}
+
+TEST(TriangleValues, are_the_same_whatever_corner_comes_first) {
+  const support::Points p = support::uniform(100, 8);
+  const std::vector<double> z(p.size(), 1);
+  for (const Objective& objective : all_objectives()) {
+    const TriangleValues values(objective, p, z);
+    for (Index i = 0; i + 2 < p.size(); ++i) {
+      const VertexId a(i), b(i + 1), c(i + 2);
+      EXPECT_EQ(values.of(c, b, a), values.of(a, b, c)) << name_of(objective);
+      EXPECT_EQ(values.of(b, a, c), values.of(a, b, c)) << name_of(objective);
     }
   }
 }
@@ -312,7 +370,8 @@ TEST_P(MeasureFamilies, equal_all_triangulations) {
       for (const Index k : {0u, 1u, 2u, 3u, 4u}) {
         const MeasuredSolution solution =
             optimize_measure({.graph = graph, .z = z, .order = k, .objective = objective});
-        ASSERT_LE(order_histogram(graph, solution.mesh).size(), k + 1) << name_of(objective);
+        const TriangleMesh mesh = solution.change.applied_to(d.mesh);
+        ASSERT_LE(order_histogram(graph, mesh).size(), k + 1) << name_of(objective);
         ASSERT_TRUE(std::isfinite(solution.result) && std::isfinite(solution.bound));
         if (!is_comparable) continue;
         // Rounding makes slivers on its hull, and their slopes are anything.
@@ -321,7 +380,7 @@ TEST_P(MeasureFamilies, equal_all_triangulations) {
         if (!(std::fabs(optimum) < 1e140)) continue;  // no area left
         const std::string what = name_of(objective) + " k = " + std::to_string(k) + ' ' +
                                  support::to_source(d.vertices.xy);
-        const double real = brute_force.value(objective, support::triangles_of(solution.mesh));
+        const double real = brute_force.value(objective, support::triangles_of(mesh));
         ASSERT_NEAR(solution.result, real, tolerance(real)) << what;
         const double sign = objective.direction == Direction::minimize ? 1 : -1;
         ASSERT_LE(sign * solution.bound, sign * optimum + tolerance(optimum)) << what;
@@ -365,8 +424,8 @@ TEST(OptimizeMeasure, larger_sets_are_solved) {
         const double slack = 1e-9 * std::fabs(best.result);
         EXPECT_LE(sign * best.result, sign * flips.result + slack) << name << ' ' << k;
         EXPECT_LE(sign * flips.result, sign * flips.delaunay + slack) << name << ' ' << k;
-        EXPECT_LE(order_histogram(graph, best.mesh).size(), k + 1);
-        EXPECT_LE(order_histogram(graph, flips.mesh).size(), k + 1);
+        EXPECT_LE(order_histogram(graph, best.change.applied_to(graph.mesh)).size(), k + 1);
+        EXPECT_LE(order_histogram(graph, flips.change.applied_to(graph.mesh)).size(), k + 1);
       }
     }
   }
@@ -399,7 +458,7 @@ TEST(OptimizeMeasure, measures_of_edges) {
           EXPECT_LE(best.result, before);
         }
         before = best.result;
-        EXPECT_LE(order_histogram(graph, best.mesh).size(), k + 1);
+        EXPECT_LE(order_histogram(graph, best.change.applied_to(graph.mesh)).size(), k + 1);
       }
     }
   }
@@ -422,10 +481,11 @@ TEST(OptimizeMeasure, order_1_is_lexicographic) {
     std::sort(all.begin(), all.end(), std::greater<>());
     return all;
   };
-  const std::vector<double> least = sorted(best.mesh);
+  const TriangleMesh best_mesh = best.change.applied_to(d.mesh);
+  const std::vector<double> least = sorted(best_mesh);
   std::size_t flips = 0;
-  for (Index h = 0; h < best.mesh.halfedge_count(); ++h) {
-    TriangleMesh mesh = best.mesh;
+  for (Index h = 0; h < best_mesh.halfedge_count(); ++h) {
+    TriangleMesh mesh = best_mesh;
     const HalfEdgeId edge(h);
     if (mesh.is_boundary(edge)) continue;
     const Point &a = graph.point(mesh.origin(edge)), &b = graph.point(mesh.target(edge));
@@ -448,7 +508,7 @@ TEST(OptimizeMeasure, a_deadline_leaves_a_valid_mesh_and_bound) {
   EXPECT_LE(best.bound, best.result);
   EXPECT_LE(best.result, best.delaunay);
   EXPECT_GT(best.bound, 0);
-  EXPECT_LE(order_histogram(graph, best.mesh).size(), 13u);
+  EXPECT_LE(order_histogram(graph, best.change.applied_to(graph.mesh)).size(), 13u);
 }
 
 }  // namespace

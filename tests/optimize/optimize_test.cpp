@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"
+#include "hodt/order/triangulation_order.h"
+#include "hodt/order/validate.h"
 #include "hodt/pipeline.h"
 
 namespace hodt {
@@ -30,7 +32,10 @@ TEST(Optimize, any_objective) {
       EXPECT_EQ(optimum.value.result, value.result) << name << k;
       EXPECT_EQ(optimum.value.bound, value.bound) << name << k;
       EXPECT_EQ(optimum.value.optimal, value.optimal) << name << k;
-      EXPECT_EQ(optimum.mesh.triangle_count(), delaunay.mesh.triangle_count());
+      const TriangleMesh mesh = optimum.change.applied_to(delaunay.mesh);
+      EXPECT_EQ(embedding_problem(delaunay.vertices.xy, mesh), "") << name << k;
+      EXPECT_EQ(order_problem(graph, mesh, k), "") << name << k;
+      EXPECT_EQ(order_histogram(graph, optimum.change), order_histogram(graph, mesh)) << name << k;
     }
 }
 
@@ -38,7 +43,7 @@ TEST(Optimize, none_changes_nothing) {
   const PointSet set{support::uniform(50, 3), {}};
   const Delaunay delaunay = hodt::delaunay(set);
   const Optimum optimum = optimize(DelaunayGraph(delaunay), {}, Objective::none);
-  EXPECT_TRUE(support::same_arrays(optimum.mesh, delaunay.mesh));
+  EXPECT_TRUE(support::same_arrays(optimum.change.applied_to(delaunay.mesh), delaunay.mesh));
   EXPECT_TRUE(optimum.value.optimal);
 }
 

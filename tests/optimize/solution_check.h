@@ -1,6 +1,7 @@
 // What must hold of every solution, whatever the algorithm.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <span>
@@ -54,7 +55,7 @@ inline std::size_t count_extrema(const Terrain& terrain, const TriangleMesh& mes
 /// Empty if the mesh is a triangulation of order k and its numbers are true.
 inline std::string problem(const Terrain& terrain, const ExtremaSolution& solution, Index k,
                            Objective objective) {
-  const TriangleMesh& mesh = solution.mesh;
+  const TriangleMesh mesh = solution.change.applied_to(terrain.delaunay.mesh);
   if (auto p = connectivity_problem(mesh, Surface::disk); !p.empty()) return p;
   if (auto p = embedding_problem(terrain.graph.xy, mesh); !p.empty()) return p;
   if (auto p = order_problem(terrain.graph, mesh, k); !p.empty()) return p;
@@ -67,8 +68,12 @@ inline std::string problem(const Terrain& terrain, const ExtremaSolution& soluti
 }
 
 inline bool same(const ExtremaSolution& a, const ExtremaSolution& b) {
-  return support::same_arrays(a.mesh, b.mesh) && a.delaunay == b.delaunay && a.result == b.result &&
-         a.bound == b.bound;
+  const auto same_mesh = [&] {
+    return !a.change.mesh() == !b.change.mesh() &&
+           (!a.change.mesh() || support::same_arrays(*a.change.mesh(), *b.change.mesh()));
+  };
+  return std::ranges::equal(a.change.flips(), b.change.flips()) && same_mesh() &&
+         a.delaunay == b.delaunay && a.result == b.result && a.bound == b.bound;
 }
 
 }  // namespace hodt

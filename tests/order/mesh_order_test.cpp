@@ -1,6 +1,7 @@
 #include "hodt/order/mesh_order.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 #include "../support/convert.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "hodt/base/parallel.h"
+#include "hodt/order/first_order.h"
 #include "hodt/order/triangulation_order.h"
 
 namespace hodt {
@@ -101,6 +103,18 @@ TEST_P(OrderFamilies, histogram_of_a_changed_triangulation) {
 
 INSTANTIATE_TEST_SUITE_P(All, OrderFamilies, testing::ValuesIn(families::all()),
                          [](const auto& each) { return each.param.name; });
+
+TEST(MeshOrder, of_flips) {
+  const Delaunay d = delaunay({support::uniform(2000, 6), {}});
+  const DelaunayGraph graph(d);
+  const std::vector<HalfEdgeId> flips = first_order_edges(graph);
+  const MeshChange change(flips);
+  EXPECT_EQ(order_histogram(graph, change), order_histogram(graph, change.applied_to(d.mesh)));
+  EXPECT_EQ(order_histogram(graph, MeshChange()), order_histogram(graph, d.mesh));
+  HalfEdgeId beside = TriangleMesh::next(flips.front());
+  if (d.mesh.is_boundary(beside)) beside = TriangleMesh::next(beside);
+  EXPECT_THROW(order_histogram(graph, MeshChange({flips.front(), beside})), std::logic_error);
+}
 
 TEST(MeshOrder, points_that_are_no_corner_count) {
   const PointSet points{{{0, 0}, {4, 0}, {0, 4}, {1, 1}, {3, 3}, {2, 1}, {4, 4}}, {}};

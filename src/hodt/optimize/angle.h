@@ -2,18 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "hodt/base/lanes.h"
 
 namespace hodt {
-
-/// The tangent of half an angle of 0 to 180 degrees: grows with the angle. Not a number if both are
-/// 0.
-HODT_INLINE double half_tangent(double sine, double cosine) {
-  const double cotangent = cosine / sine, root = std::sqrt(1 + cotangent * cotangent);
-  return cotangent > 0 ? 1 / (root + cotangent) : root - cotangent;
-}
 
 /// The arctangent of x, |x| at most the tangent of 22.5 degrees, within a unit in the last place:
 /// the polynomial that agrees with it at 12 Chebyshev nodes of x². The C library's is a call, which
@@ -43,6 +37,18 @@ HODT_INLINE double degrees(double sine, double cosine) {
   const double x = (is_above_45 ? 1 - d : 1) / (is_above_45 ? 1 + d : d);
   const double acute = (is_above_45 ? 90 : 0) + 2 * kDegrees * small_arctangent(x);
   return cosine > 0 ? acute : 180 - acute;
+}
+
+/// Grows with such an angle, in a fraction of the time: the negative cotangent.
+HODT_INLINE double angle_rank(double sine, double cosine) {
+  const double rank = -cosine / sine;
+  // If both are 0 there is no angle; it counts as 0 degrees.
+  return rank == rank ? rank : -std::numeric_limits<double>::infinity();
+}
+
+/// The angle that has the rank: degrees(sine, cosine), to the bit.
+inline double degrees_of_rank(double rank) {
+  return degrees(1, -rank);
 }
 
 }  // namespace hodt

@@ -1,7 +1,9 @@
 // How values combine into an objective's value, and which of two is better.
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <span>
 
 #include "hodt/optimize/objective.h"
 
@@ -22,6 +24,20 @@ class Combination {
         return x < y ? x : y;
     }
     return x;
+  }
+  /// Of many values.
+  double combine(std::span<const double> values) const {
+    // Four at a time, as each has to wait for the one before.
+    double a = neutral(), b = a, c = a, d = a;
+    std::size_t i = 0;
+    for (; i + 4 <= values.size(); i += 4) {
+      a = combine(a, values[i]);
+      b = combine(b, values[i + 1]);
+      c = combine(c, values[i + 2]);
+      d = combine(d, values[i + 3]);
+    }
+    for (; i < values.size(); ++i) a = combine(a, values[i]);
+    return combine(combine(a, b), combine(c, d));
   }
   /// What combining with changes nothing.
   double neutral() const {

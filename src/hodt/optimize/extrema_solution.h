@@ -3,14 +3,14 @@
 
 #include <cstddef>
 
-#include "hodt/mesh/triangle_mesh.h"
+#include "hodt/mesh/mesh_change.h"
 
 namespace hodt {
 
 struct ExtremaSolution {
-  TriangleMesh mesh;
-  /// Extrema of the kinds that the objective counts, on the boundary too: of the Delaunay
-  /// triangulation, and of the mesh.
+  MeshChange change;  ///< of the Delaunay triangulation
+  /// Extrema of the kinds that the objective counts, on the boundary too: before and
+  /// after.
   std::size_t delaunay = 0;
   std::size_t result = 0;
   /// No triangulation of that order has fewer.

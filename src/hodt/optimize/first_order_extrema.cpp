@@ -65,13 +65,13 @@ ExtremaSolution Solver::run() {
   solve_conflicts();
 
   ExtremaSolution solution;
-  solution.mesh = graph_.mesh;
-  for (const HalfEdgeId h : to_flip_) solution.mesh.flip(h);
   for (Index v = 0; v < in_s_.size(); ++v) {
     solution.delaunay += (in_delaunay_[v] & 1) + (in_delaunay_[v] >> 1);
     solution.result += in_s_[v] != 0 && !removed_[v];
   }
   solution.bound = solution.result;  // Theorem 4: optimal
+  std::sort(to_flip_.begin(), to_flip_.end());
+  solution.change = MeshChange(std::move(to_flip_));
   return solution;
 }
 

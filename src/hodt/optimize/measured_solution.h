@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hodt/mesh/triangle_mesh.h"
+#include "hodt/mesh/mesh_change.h"
 
 namespace hodt {
 
 struct MeasuredSolution {
-  TriangleMesh mesh;
-  /// The objective's value of the Delaunay triangulation, and of the mesh.
+  MeshChange change;  ///< of the Delaunay triangulation
+  /// The objective's value before and after.
   double delaunay = 0;
   double result = 0;
   /// No triangulation of that order is better than this, but for rounding: relatively 1e-9.
   double bound = 0;
-  /// The mesh is proven best, but for the same.
+  /// The result is proven best, but for the same.
   bool is_optimal() const { return std::fabs(result - bound) <= 1e-9 * std::max(result, bound); }
 };
 

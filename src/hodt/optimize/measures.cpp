@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <vector>
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
@@ -79,11 +79,11 @@ constexpr auto smallest_angle = [](P a, P b, P c) HODT_INLINE_LAMBDA {
   return degrees(cross(a, b, c), largest_dot(a, b, c));
 };
 /// These grow with the angles, and take a tenth of the time.
-constexpr auto largest_half_tangent = [](P a, P b, P c) HODT_INLINE_LAMBDA {
-  return half_tangent(cross(a, b, c), smallest_dot(a, b, c));
+constexpr auto largest_angle_rank = [](P a, P b, P c) HODT_INLINE_LAMBDA {
+  return angle_rank(cross(a, b, c), smallest_dot(a, b, c));
 };
-constexpr auto smallest_half_tangent = [](P a, P b, P c) HODT_INLINE_LAMBDA {
-  return half_tangent(cross(a, b, c), largest_dot(a, b, c));
+constexpr auto smallest_angle_rank = [](P a, P b, P c) HODT_INLINE_LAMBDA {
+  return angle_rank(cross(a, b, c), largest_dot(a, b, c));
 };
 
 constexpr auto longest_edge = [](P a, P b, P c)
@@ -106,22 +106,22 @@ constexpr auto inradius = [](P a, P b, P c) HODT_INLINE_LAMBDA {
   return cross(a, b, c) / Lengths(a, b, c).perimeter();
 };
 
-/// Calls f with the function of the objective's measure, angles as half tangents if so asked for.
-/// Flat areas as if all triangles were flat.
-template <bool half_tangents, class F>
+/// Calls f with the function of the objective's measure, or for angles of their ranks. Flat areas
+/// as if all triangles were flat.
+template <bool ranks, class F>
 void with_measure(const Objective& objective, const F& f) {
   switch (objective.measure) {
     case Measure::area:
     case Measure::flat_area:
       return f(area);
     case Measure::angle:
-      if constexpr (half_tangents)
-        return f(largest_half_tangent);
+      if constexpr (ranks)
+        return f(largest_angle_rank);
       else
         return f(largest_angle);
     case Measure::small_angle:
-      if constexpr (half_tangents)
-        return f(smallest_half_tangent);
+      if constexpr (ranks)
+        return f(smallest_angle_rank);
       else
         return f(smallest_angle);
     case Measure::circumradius:
@@ -149,11 +149,11 @@ HODT_INLINE bool is_better_pair(double sign, double a1, double a2, double b1, do
     return sign * ((b1 + b2) - (a1 + a2)) > 1e-14 * size;
   } else {
     constexpr bool kMax = kAggregate == Aggregate::max;
-    const double low_a = smaller(a1, a2), high_a = larger(a1, a2);
-    const double low_b = smaller(b1, b2), high_b = larger(b1, b2);
-    const double gain = sign * (kMax ? high_b - high_a : low_b - low_a);
-    const double second_gain = sign * (kMax ? low_b - low_a : high_b - high_a);
-    return (gain > 0) | ((gain == 0) & (second_gain > 0));
+    const double low_a = sign * smaller(a1, a2), high_a = sign * larger(a1, a2);
+    const double low_b = sign * smaller(b1, b2), high_b = sign * larger(b1, b2);
+    const double first_a = kMax ? high_a : low_a, first_b = kMax ? high_b : low_b;
+    const double second_a = kMax ? low_a : high_a, second_b = kMax ? low_b : high_b;
+    return (first_a < first_b) | ((first_a == first_b) & (second_a < second_b));
   }
 }
 
@@ -178,7 +178,7 @@ void with_better_pair(const Combination& combination, const F& f) {
 template <int kCorners>
 class Block {
  public:
-  static constexpr std::size_t kSize = 248;  // no power of two: see order/first_order.cpp
+  static constexpr std::size_t kSize = 248;  // no power of two: see order/nearest_beyond.cpp
 
   void set(std::size_t i, const std::array<Point, kCorners>& corners) {
     for (int c = 0; c < kCorners; ++c) {
@@ -202,6 +202,8 @@ class Block {
   std::array<std::array<double, kSize>, kCorners> x_, y_;
 };
 
+constexpr std::size_t kBlock = Block<3>::kSize;
+
 }  // namespace
 
 double TriangleValues::of(VertexId a, VertexId b, VertexId c) const {
@@ -210,62 +212,6 @@ double TriangleValues::of(VertexId a, VertexId b, VertexId c) const {
   with_measure<false>(
       objective(), [&](const auto& measure) { value = finite(measure(xy_[a], xy_[b], xy_[c])); });
   return value;
-}
-
-/// Calls f with the function that ranks.
-template <class F>
-void TriangleValues::with_rank(const F& f) const {
-  if (objective().aggregate == Aggregate::sum)
-    with_measure<false>(objective(), f);
-  else
-    with_measure<true>(objective(), f);
-}
-
-Buffer<double> TriangleValues::ranks(const TriangleMesh& mesh) const {
-  Buffer<double> ranks(mesh.triangle_count());
-  parallel_for(0, ranks.size(), 1 << 14, [&](std::size_t first, std::size_t last) {
-    Block<3> block;
-    for (std::size_t begin = first; begin < last; begin += block.kSize) {
-      const std::size_t size = std::min(last - begin, block.kSize);
-      if (is_flat_area_) {
-        for (std::size_t t = begin; t < begin + size; ++t) {
-          const auto [a, b, c] = mesh.corners(TriangleId(Index(t)));
-          ranks[t] = of(a, b, c);
-        }
-        continue;
-      }
-      for (std::size_t i = 0; i < size; ++i) {
-        const auto [a, b, c] = mesh.corners(TriangleId(Index(begin + i)));
-        block.set(i, {xy_[a], xy_[b], xy_[c]});
-      }
-      with_rank([&](const auto& measure) { block.measure(measure, size, 0, 1, 2, &ranks[begin]); });
-    }
-  });
-  return ranks;
-}
-
-void TriangleValues::ranks_flipped(const TriangleMesh& mesh, std::span<const HalfEdgeId> edges,
-                                   double* left, double* right) const {
-  Block<4> block;
-  for (std::size_t begin = 0; begin < edges.size(); begin += block.kSize) {
-    const std::size_t size = std::min(edges.size() - begin, block.kSize);
-    for (std::size_t i = 0; i < size; ++i) {
-      const HalfEdgeId h = edges[begin + i];
-      const VertexId a = mesh.origin(h), b = mesh.target(h);
-      const VertexId c = mesh.apex(h), d = mesh.apex(mesh.twin(h));
-      if (is_flat_area_) {
-        left[begin + i] = of(a, d, c);
-        right[begin + i] = of(b, c, d);
-      } else {
-        block.set(i, {xy_[a], xy_[b], xy_[c], xy_[d]});
-      }
-    }
-    if (is_flat_area_) continue;
-    with_rank([&](const auto& measure) {
-      block.measure(measure, size, 0, 3, 2, left + begin);
-      block.measure(measure, size, 1, 2, 3, right + begin);
-    });
-  }
 }
 
 bool TriangleValues::better_pair(double a1, double a2, double b1, double b2) const {
@@ -283,20 +229,186 @@ void TriangleValues::better_pairs(std::size_t count, const double* a1, const dou
   });
 }
 
-double TriangleValues::of(const TriangleMesh& mesh, std::span<const double> ranks) const {
-  if (ranks.empty()) return neutral();
-  if (objective().aggregate != Aggregate::sum) {
-    std::size_t decisive = 0;
-    for (std::size_t t = 1; t < ranks.size(); ++t)
-      if (combine(ranks[t], ranks[decisive]) != ranks[decisive]) decisive = t;
-    const auto [a, b, c] = mesh.corners(TriangleId(Index(decisive)));
-    return of(a, b, c);
+/// Calls f with the function that ranks.
+template <class F>
+void TriangleValues::with_rank(const F& f) const {
+  if (objective().aggregate == Aggregate::sum)
+    with_measure<false>(objective(), f);
+  else
+    with_measure<true>(objective(), f);
+}
+
+double TriangleValues::value(double rank) const {
+  const Objective o = objective();
+  const bool is_angle = o.measure == Measure::angle || o.measure == Measure::small_angle;
+  return is_angle && o.aggregate != Aggregate::sum ? degrees_of_rank(rank) : rank;
+}
+
+/// Those of triangles, or of the triangles at edges, a block at a time.
+class TriangleValues::Ranks {
+ public:
+  Ranks(const TriangleValues& values, const TriangleMesh& mesh) : values_(values), mesh_(mesh) {}
+
+  /// Of the triangles from `first` on.
+  const double* of_triangles(std::size_t first, std::size_t size) {
+    const std::span<const Point> xy = values_.xy_;
+    if (values_.is_flat_area_) {
+      for (std::size_t i = 0; i < size; ++i) {
+        const auto [a, b, c] = mesh_.corners(TriangleId(Index(first + i)));
+        now_[0][i] = values_.of(a, b, c);
+      }
+      return now_[0].data();
+    }
+    // The points come from somewhere near in memory: asked for in time.
+    const Index* const corner = &mesh_.origins()[3 * first];
+    const std::size_t known = mesh_.halfedge_count() - 3 * first;
+    constexpr std::size_t kAhead = 3 * 64;
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t e = 0; e < 3; ++e)
+        prefetch(&xy[corner[std::min(3 * i + e + kAhead, known - 1)]]);
+      triangles_.set(i, {xy[corner[3 * i]], xy[corner[3 * i + 1]], xy[corner[3 * i + 2]]});
+    }
+    values_.with_rank(
+        [&](const auto& measure) { triangles_.measure(measure, size, 0, 1, 2, now_[0].data()); });
+    return now_[0].data();
   }
-  const double sum =
-      parallel_sum(0, ranks.size(), 1 << 16, [&](std::size_t first, std::size_t last) {
-        return std::accumulate(ranks.data() + first, ranks.data() + last, 0.0);
-      });
-  return objective().measure == Measure::length ? sum + half_boundary_length(mesh) : sum;
+
+  /// Takes up the two triangles at each edge, and the two that its flip makes.
+  void at_edges(std::span<const HalfEdgeId> edges) {
+    gather(edges);
+    measure(edges.size(), 0, 1, 2, now_[0]);
+    measure(edges.size(), 1, 0, 3, now_[1]);
+    measure_flipped(edges.size());
+  }
+  /// Only the latter.
+  void of_flips(std::span<const HalfEdgeId> edges) {
+    gather(edges);
+    measure_flipped(edges.size());
+  }
+  const double* now(int side) const { return now_[side].data(); }
+  const double* flipped(int side) const { return flipped_[side].data(); }
+
+ private:
+  using Column = std::array<double, kBlock>;
+
+  void gather(std::span<const HalfEdgeId> edges) {
+    // Which triangles first, then which vertices, then where they are: loads that do not wait for
+    // each other.
+    for (const HalfEdgeId h : edges) {
+      prefetch(&mesh_.origins()[h]);
+      prefetch(&mesh_.origins()[mesh_.twin(h)]);
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const HalfEdgeId h = edges[i], twin = mesh_.twin(h);
+      corner_[i] = {mesh_.origin(h), mesh_.origin(twin), mesh_.apex(h), mesh_.apex(twin)};
+      for (const VertexId v : corner_[i]) prefetch(&values_.xy_[v]);
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const auto [a, b, c, d] = corner_[i];
+      quadrilaterals_.set(i, {values_.xy_[a], values_.xy_[b], values_.xy_[c], values_.xy_[d]});
+    }
+  }
+  void measure_flipped(std::size_t size) {
+    measure(size, 0, 3, 2, flipped_[0]);
+    measure(size, 1, 2, 3, flipped_[1]);
+  }
+  /// The triangle of these corners of each quadrilateral.
+  void measure(std::size_t size, int a, int b, int c, Column& ranks) const {
+    if (values_.is_flat_area_) {
+      for (std::size_t i = 0; i < size; ++i)
+        ranks[i] = values_.of(corner_[i][a], corner_[i][b], corner_[i][c]);
+      return;
+    }
+    values_.with_rank([&](const auto& measure) {
+      quadrilaterals_.measure(measure, size, a, b, c, ranks.data());
+    });
+  }
+
+  const TriangleValues& values_;
+  const TriangleMesh& mesh_;
+  Block<3> triangles_;
+  std::array<std::array<VertexId, 4>, kBlock> corner_;
+  Block<4> quadrilaterals_;
+  std::array<Column, 2> now_, flipped_;
+};
+
+std::size_t TriangleValues::keep_better_flips(const TriangleMesh& mesh,
+                                              std::span<HalfEdgeId> edges) const {
+  Ranks ranks(*this, mesh);
+  std::array<bool, kBlock> is_better;
+  std::size_t kept = 0;
+  for (std::size_t begin = 0; begin < edges.size(); begin += kBlock) {
+    const auto part = edges.subspan(begin, std::min(kBlock, edges.size() - begin));
+    ranks.at_edges(part);
+    better_pairs(part.size(), ranks.flipped(0), ranks.flipped(1), ranks.now(0), ranks.now(1),
+                 is_better.data());
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      edges[kept] = part[i];
+      kept += std::size_t{is_better[i]};
+    }
+  }
+  return kept;
+}
+
+/// What a run of triangles combines to, and without those that are flipped.
+TriangleValues::BeforeAfter TriangleValues::fold(const TriangleMesh& mesh, std::size_t first,
+                                                 std::size_t last,
+                                                 const Buffer<bool>& flipped) const {
+  Ranks ranks(*this, mesh);
+  BeforeAfter result{neutral(), neutral()};
+  std::array<double, kBlock> staying;
+  for (std::size_t begin = first; begin < last; begin += kBlock) {
+    const std::size_t size = std::min(kBlock, last - begin);
+    const double* const rank = ranks.of_triangles(begin, size);
+    const bool* const is_flipped = &flipped[begin];
+    run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
+      for (std::size_t i = 0; i < size; ++i) staying[i] = is_flipped[i] ? neutral() : rank[i];
+    });
+    result.before = combine(result.before, combine({rank, size}));
+    result.after = combine(result.after, combine({staying.data(), size}));
+  }
+  return result;
+}
+
+/// What the triangles that flips make combine to. Marks those that they take the place of.
+double TriangleValues::fold_flipped(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips,
+                                    Buffer<bool>& flipped) const {
+  Ranks ranks(*this, mesh);
+  double result = neutral();
+  for (std::size_t begin = 0; begin < flips.size(); begin += kBlock) {
+    const auto part = flips.subspan(begin, std::min(kBlock, flips.size() - begin));
+    ranks.of_flips(part);
+    for (const int side : {0, 1})
+      result = combine(result, combine({ranks.flipped(side), part.size()}));
+    for (const HalfEdgeId h : part)
+      for (const HalfEdgeId side : {h, mesh.twin(h)}) flipped[TriangleMesh::triangle(side)] = true;
+  }
+  return result;
+}
+
+TriangleValues::BeforeAfter TriangleValues::with_flips(const TriangleMesh& mesh,
+                                                       std::span<const HalfEdgeId> flips) const {
+  constexpr std::size_t kGrain = 1 << 13;
+  Buffer<bool> flipped(mesh.triangle_count(), false);
+  BeforeAfter all{neutral(), neutral()};
+  const auto add = [&](std::size_t size, const auto& part) {
+    const auto find = [&](std::size_t first, std::size_t last, std::vector<BeforeAfter>& found) {
+      found.push_back(part(first, last));
+    };
+    for (const auto& [before, after] : parallel_collect<BeforeAfter>(0, size, kGrain, find))
+      all = {combine(all.before, before), combine(all.after, after)};
+  };
+  add(flips.size(), [&](std::size_t first, std::size_t last) {
+    return BeforeAfter{neutral(), fold_flipped(mesh, flips.subspan(first, last - first), flipped)};
+  });
+  add(flipped.size(),
+      [&](std::size_t first, std::size_t last) { return fold(mesh, first, last, flipped); });
+  all = {value(all.before), value(all.after)};
+  if (objective().measure == Measure::length && objective().aggregate == Aggregate::sum) {
+    const double missing = half_boundary_length(mesh);
+    all = {all.before + missing, all.after + missing};
+  }
+  return all;
 }
 
 /// What is missing when the edges of all triangles count half: that of the hull.

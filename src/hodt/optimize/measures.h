@@ -35,23 +35,33 @@ class TriangleValues : public Combination {
   /// Whether the two triangles of the first pair are better than those of the second, by value, and
   /// lexicographically (the sorted values) for max and min. Values, or ranks.
   bool better_pair(double a1, double a2, double b1, double b2) const;
-  /// The same of so many pairs.
+  /// The same of so many pairs, side by side.
   void better_pairs(std::size_t count, const double* a1, const double* a2, const double* b1,
                     const double* b2, bool* is_better) const;
 
-  /// Numbers that compare as the values of a mesh's triangles do, and for sums these values: angles
-  /// that are compared only need no arctangents.
-  Buffer<double> ranks(const TriangleMesh& mesh) const;
-  /// The same of what flips would make: the triangle on the left of the edge's other diagonal, from
-  /// the corner on its left, and the triangle on the right. No edge may be on the boundary.
-  void ranks_flipped(const TriangleMesh& mesh, std::span<const HalfEdgeId> edges, double* left,
-                     double* right) const;
-  /// The objective's value of a triangulation, given those.
-  double of(const TriangleMesh& mesh, std::span<const double> ranks) const;
+  /// Moves the edges whose flips make a better pair of triangles to the front, in their order, and
+  /// returns how many they are. No edge may be on the boundary.
+  std::size_t keep_better_flips(const TriangleMesh& mesh, std::span<HalfEdgeId> edges) const;
+
+  /// The objective's value of a triangulation.
+  double of(const TriangleMesh& mesh) const { return with_flips(mesh, {}).before; }
+  /// That, and what flips make of it. No two may have a triangle in common.
+  struct BeforeAfter {
+    double before, after;
+  };
+  BeforeAfter with_flips(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips) const;
 
  private:
+  // Ranks compare as values do, and for sums they are the values: angles that are compared only
+  // need no arctangents. They are measured block by block.
+  class Ranks;
   template <class F>
   void with_rank(const F& f) const;
+  double value(double rank) const;
+  BeforeAfter fold(const TriangleMesh& mesh, std::size_t first, std::size_t last,
+                   const Buffer<bool>& flipped) const;
+  double fold_flipped(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips,
+                      Buffer<bool>& flipped) const;
   double half_boundary_length(const TriangleMesh& mesh) const;
 
   bool is_flat_area_;

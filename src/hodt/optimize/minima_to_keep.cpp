@@ -43,7 +43,7 @@ Buffer<bool> minima_to_keep(const DelaunayGraph& graph, std::span<const double> 
                        std::any_of(outlines.begin(), outlines.end(), contains);
   }
   for (const Point& place : places)
-    keep[drains_to(graph.mesh, graph.outgoing, graph.xy, z, nearest(graph.xy, place))] = true;
+    keep[drains_to(graph.mesh, graph.outgoing.all(), graph.xy, z, nearest(graph.xy, place))] = true;
   return keep;
 }
 

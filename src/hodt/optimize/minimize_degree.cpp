@@ -49,8 +49,9 @@ Index average_degree(const TriangleMesh& mesh) {
   return static_cast<Index>((ends + mesh.vertex_count() - 1) / mesh.vertex_count());
 }
 
-/// Sets the mesh to a triangulation of order 1; returns a proven lower bound.
-Index choose_diagonals(const DelaunayGraph& graph, TriangleMesh& mesh) {
+/// Finds the flips to the best triangulation of order 1; returns a proven lower bound.
+Index choose_diagonals(const DelaunayGraph& graph, std::vector<HalfEdgeId>& flips) {
+  const TriangleMesh& mesh = graph.mesh;
   const std::vector<HalfEdgeId> diagonals = first_order_edges(graph);
   std::vector<Index> base = degrees_of(mesh);
   const Index delaunay = largest(base);
@@ -72,7 +73,7 @@ Index choose_diagonals(const DelaunayGraph& graph, TriangleMesh& mesh) {
     if (all_proven) bound = most + 1;
   }
   for (std::size_t q = 0; q < diagonals.size(); ++q)
-    if (chosen[q]) mesh.flip(diagonals[q]);
+    if (chosen[q]) flips.push_back(diagonals[q]);
   return bound;
 }
 
@@ -86,18 +87,21 @@ Index fixed_bound(const DelaunayGraph& graph, Index order) {
 
 MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
                                  const Deadline& deadline) {
-  MeasuredSolution solution;
-  solution.mesh = graph.mesh;
-  const Index delaunay = largest(degrees_of(graph.mesh));
-  Index bound = order == 0 ? delaunay : choose_diagonals(graph, solution.mesh);
+  const auto delaunay = largest(degrees_of(graph.mesh));
+  std::vector<HalfEdgeId> flips;
+  Index bound = order == 0 ? delaunay : choose_diagonals(graph, flips);
+  MeshChange change(std::move(flips));
+  TriangleMesh mesh = change.applied_to(graph.mesh);
   if (order > 1) {
     bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
-    reduce_degrees_by_flips(graph, order, deadline, solution.mesh);
+    reduce_degrees_by_flips(graph, order, deadline, mesh);
   }
-  solution.delaunay = delaunay;
-  solution.result = largest(degrees_of(solution.mesh));
-  solution.bound = bound;
-  return solution;
+  const Index result = largest(degrees_of(mesh));
+  if (order > 1) change = MeshChange(std::move(mesh));
+  return {.change = std::move(change),
+          .delaunay = double(delaunay),
+          .result = double(result),
+          .bound = double(bound)};
 }
 
 }  // namespace hodt

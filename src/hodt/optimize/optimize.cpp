@@ -14,7 +14,7 @@ namespace hodt {
 namespace {
 
 Optimum from(ExtremaSolution&& solution) {
-  return {std::move(solution.mesh),
+  return {std::move(solution.change),
           {.delaunay = double(solution.delaunay),
            .result = double(solution.result),
            .bound = double(solution.bound),
@@ -22,7 +22,7 @@ Optimum from(ExtremaSolution&& solution) {
 }
 
 Optimum from(MeasuredSolution&& solution) {
-  return {std::move(solution.mesh),
+  return {std::move(solution.change),
           {.delaunay = solution.delaunay,
            .result = solution.result,
            .bound = solution.bound,
@@ -38,7 +38,7 @@ Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objectiv
   // More than n - 3 points are never inside a circle.
   const Index order = std::min(options.order, static_cast<Index>(graph.xy.size() - 3));
   const Deadline deadline(options.time_limit);
-  if (objective == Objective::none) return {graph.mesh, {.optimal = true}};
+  if (objective == Objective::none) return {{}, {.optimal = true}};
   if (objective.kind == Objective::measured)
     return from(optimize_measure({.graph = graph,
                                   .z = z,

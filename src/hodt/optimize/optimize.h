@@ -4,6 +4,7 @@
 #include <span>
 
 #include "hodt/base/progress.h"
+#include "hodt/mesh/mesh_change.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/order/delaunay_graph.h"
 
@@ -33,13 +34,14 @@ struct Value {
 };
 
 struct Optimum {
-  TriangleMesh mesh;  ///< with the vertices of the Delaunay triangulation
+  /// Of the Delaunay triangulation; `change.applied_to(delaunay.mesh)` is the best triangulation.
+  MeshChange change;
   Value value;
 };
 
 /// Optimises a Delaunay triangulation. `z` has a height for each vertex, or none at all. Throws
 /// ParameterError if the objective needs heights and there are none, or cannot be optimised by the
-/// method. For Objective::none the mesh is the Delaunay triangulation, and the values are 0.
+/// method. For Objective::none nothing changes, and the values are 0.
 Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objective objective,
                  const OptimizeOptions& options = {});
 

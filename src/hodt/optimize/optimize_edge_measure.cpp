@@ -24,9 +24,7 @@ class Optimizer {
       : problem_(problem),
         graph_(problem.graph),
         delaunay_(problem.graph.mesh),
-        values_(problem.objective, graph_.xy, problem.z) {
-    solution_.mesh = delaunay_;
-  }
+        values_(problem.objective, graph_.xy, problem.z) {}
 
   MeasuredSolution run() && {
     choose_diagonals();
@@ -112,8 +110,10 @@ void Optimizer::choose_diagonals() {
   Choices choices(values_, static_cast<Index>(quadrilaterals_.size()));
   const double constant = add_costs(choices);
   const Choices::Result best = choices.best(problem_.deadline);
+  std::vector<HalfEdgeId> flips;
   for (Index q = 0; q < quadrilaterals_.size(); ++q)
-    if (best.chosen[q]) solution_.mesh.flip(quadrilaterals_[q].diagonal);
+    if (best.chosen[q]) flips.push_back(quadrilaterals_[q].diagonal);
+  solution_.change = MeshChange(std::move(flips));
   const auto in_all = [&](double cost_of_choices) {
     const double value = values_.combine(constant, cost_of_choices);
     return std::isfinite(value) ? value : 0;  // no inner edge
@@ -163,16 +163,19 @@ void Optimizer::improve_on_first_order() {
     improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh);
     return values_.of(mesh);
   };
-  solution_.result = improve(solution_.mesh);
+  TriangleMesh mesh = solution_.change.applied_to(delaunay_);
+  solution_.result = improve(mesh);
   EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, solution_.result,
                                             problem_.deadline, problem_.method == Method::exact);
   solution_.bound = suggestion.bound;
-  if (problem_.method == Method::flip) return;
-  const double other = improve(suggestion.mesh);
-  if (values_.better(other, solution_.result)) {
-    solution_.result = other;
-    solution_.mesh = std::move(suggestion.mesh);
+  if (problem_.method != Method::flip) {
+    const double other = improve(suggestion.mesh);
+    if (values_.better(other, solution_.result)) {
+      solution_.result = other;
+      mesh = std::move(suggestion.mesh);
+    }
   }
+  solution_.change = MeshChange(std::move(mesh));
 }
 
 }  // namespace

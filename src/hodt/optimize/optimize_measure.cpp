@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "hodt/base/parallel.h"
@@ -18,72 +19,46 @@ namespace {
 
 using Corners = std::array<VertexId, 3>;
 
+/// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere.
+MeasuredSolution optimize_first_order(const MeasureProblem& problem) {
+  const TriangleMesh& mesh = problem.graph.mesh;
+  const TriangleValues values(problem.objective, problem.graph.xy, problem.z);
+  std::vector<HalfEdgeId> flips = first_order_edges(
+      problem.graph,
+      [&](std::span<HalfEdgeId> edges) { return values.keep_better_flips(mesh, edges); });
+  const auto [before, after] = values.with_flips(mesh, flips);
+  return {
+      .change = MeshChange(std::move(flips)), .delaunay = before, .result = after, .bound = after};
+}
+
+/// Order 2 and more.
 class Optimizer {
  public:
   explicit Optimizer(const MeasureProblem& problem)
       : problem_(problem),
         graph_(problem.graph),
         values_(problem.objective, graph_.xy, problem.z),
-        is_sum_(problem.objective.aggregate == Aggregate::sum) {
-    solution_.mesh = graph_.mesh;
-    ranks_ = values_.ranks(graph_.mesh);
-    solution_.delaunay = values_.of(graph_.mesh, ranks_);
-  }
+        is_sum_(problem.objective.aggregate == Aggregate::sum),
+        mesh_(graph_.mesh) {}
 
   MeasuredSolution run() && {
-    if (problem_.order == 1)
-      flip_quadrilaterals();
-    else if (problem_.order > 1)
-      solve_faces();
-    if (problem_.order > 1) ranks_ = values_.ranks(solution_.mesh);
-    solution_.result = values_.of(solution_.mesh, ranks_);
+    solve_faces();
+    const double result = values_.of(mesh_);
     // Each face lost as much as that, or nothing.
-    solution_.bound = is_sum_ ? solution_.result - gap_ : values_.combine(bound_, fixed_);
-    if (problem_.order <= 1) solution_.bound = solution_.result;
-    return std::move(solution_);
+    const double bound = is_sum_ ? result - gap_ : values_.combine(bound_, fixed_);
+    return {.change = MeshChange(std::move(mesh_)),
+            .delaunay = values_.of(graph_.mesh),
+            .result = result,
+            .bound = bound};
   }
 
  private:
-  /// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere.
-  void flip_quadrilaterals() {
-    const auto keep_gains = [&](std::span<HalfEdgeId> edges) { return keep_better_flipped(edges); };
-    const std::vector<HalfEdgeId> edges = first_order_edges(graph_, keep_gains);
-    std::vector<double> left(edges.size()), right(edges.size());
-    values_.ranks_flipped(graph_.mesh, edges, left.data(), right.data());
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const HalfEdgeId h = edges[i];
-      ranks_[TriangleMesh::triangle(h)] = left[i];
-      ranks_[TriangleMesh::triangle(graph_.mesh.twin(h))] = right[i];
-      solution_.mesh.flip(h);
-    }
-  }
-
-  /// Moves the edges whose flips gain to the front, and returns how many they are.
-  std::size_t keep_better_flipped(std::span<HalfEdgeId> edges) const {
-    const TriangleMesh& mesh = graph_.mesh;
-    std::array<double, kMostFirstOrderEdges> left, right, left_now, right_now;
-    std::array<bool, kMostFirstOrderEdges> is_better;
-    values_.ranks_flipped(mesh, edges, left.data(), right.data());
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      left_now[i] = ranks_[TriangleMesh::triangle(edges[i])];
-      right_now[i] = ranks_[TriangleMesh::triangle(mesh.twin(edges[i]))];
-    }
-    values_.better_pairs(edges.size(), left.data(), right.data(), left_now.data(), right_now.data(),
-                         is_better.data());
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      edges[kept] = edges[i];
-      kept += std::size_t{is_better[i]};
-    }
-    return kept;
-  }
-
   void solve_faces();
   void take(Faces& faces, Index face, const FaceSolution& solution);
   double value_in_mesh(std::span<const TriangleId> places) const {
     double value = values_.neutral();
     for (const TriangleId t : places) {
-      const auto [a, b, c] = solution_.mesh.corners(t);
+      const auto [a, b, c] = mesh_.corners(t);
       value = values_.combine(value, values_.of(a, b, c));
     }
     return value;
@@ -93,8 +68,7 @@ class Optimizer {
   const DelaunayGraph& graph_;
   const TriangleValues values_;
   const bool is_sum_;
-  MeasuredSolution solution_;
-  Buffer<double> ranks_;              // of its triangles
+  TriangleMesh mesh_;                 // the best so far
   double gap_ = 0;                    // of sums
   double bound_ = values_.neutral();  // of the others: of the faces
   double fixed_ = values_.neutral();  // and of the triangles that are always there
@@ -113,7 +87,7 @@ void Optimizer::take(Faces& faces, Index face, const FaceSolution& solution) {
     }
     // Equal sums differ by rounding; equal largest values leave the rest better.
     if (values_.better(chosen_value, value) || (!is_sum_ && chosen_value == value)) {
-      replace_triangles(solution_.mesh, places, fresh);
+      replace_triangles(mesh_, places, fresh);
       value = chosen_value;
     }
   }
@@ -132,7 +106,7 @@ void Optimizer::solve_faces() {
       t.value = values_.of(t.corners[0], t.corners[1], t.corners[2]);
   });
   // What there is if time runs out, and what a face's program need not exceed.
-  improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
+  improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh_);
   std::vector<FaceSolution> solutions(faces.size());
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces.size(), 1, [&](std::size_t first, std::size_t last) {
@@ -153,15 +127,18 @@ void Optimizer::solve_faces() {
       fixed_ = values_.combine(fixed_, value_in_mesh(faces.places(face)));
   }
   // Below the largest (or smallest) value of a face there may be something left to gain.
-  if (!is_sum_)
-    improve_by_flips(graph_, values_, problem_.order, problem_.deadline, solution_.mesh);
+  if (!is_sum_) improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh_);
 }
 
 }  // namespace
 
 MeasuredSolution optimize_measure(const MeasureProblem& problem) {
   if (is_of_edges(problem.objective.measure)) return optimize_edge_measure(problem);
-  return Optimizer(problem).run();
+  if (problem.order == 1) return optimize_first_order(problem);
+  if (problem.order > 1) return Optimizer(problem).run();
+  const TriangleValues values(problem.objective, problem.graph.xy, problem.z);
+  const double value = values.of(problem.graph.mesh);
+  return {.change = {}, .delaunay = value, .result = value, .bound = value};
 }
 
 }  // namespace hodt

@@ -86,7 +86,7 @@ ExtremaSolution Remover::run() {
   greedy();
   if (problem_.method != Method::greedy && extrema() > bound()) choose();
   const std::size_t after = extrema(), proven = bound();
-  return {.mesh = std::move(triangulation_).take_mesh(),
+  return {.change = MeshChange(std::move(triangulation_).take_mesh()),
           .delaunay = before,
           .result = after,
           .bound = proven};

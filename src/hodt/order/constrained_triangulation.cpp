@@ -11,9 +11,9 @@ ConstrainedTriangulation::ConstrainedTriangulation(const DelaunayGraph& delaunay
     : delaunay_(delaunay),
       xy_(delaunay.xy),
       mesh_(delaunay.mesh),
-      outgoing_(delaunay.outgoing.size()),
+      outgoing_(delaunay.outgoing.all().size()),
       partner_(delaunay.xy.size(), kNone) {
-  std::copy(delaunay.outgoing.begin(), delaunay.outgoing.end(), outgoing_.begin());
+  std::copy(delaunay.outgoing.all().begin(), delaunay.outgoing.all().end(), outgoing_.begin());
 }
 
 // ---- Every change is a write of one word, and the log knows what was there. ----

@@ -47,6 +47,13 @@ std::vector<Edge> edges_without(std::span<const Point> xy, const Buffer<bool>& h
 
 }  // namespace
 
+void OutgoingOnDemand::State::make() {
+  const std::lock_guard<std::mutex> lock(making);
+  if (is_made.load(std::memory_order_relaxed)) return;
+  all = outgoing_halfedges(mesh);
+  is_made.store(true, std::memory_order_release);
+}
+
 void DelaunayGraph::list_neighbours() {
   constexpr std::size_t kGrain = 1 << 13;
   const std::size_t n = xy.size();

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <span>
 
 #include "hodt/delaunay/delaunay.h"
@@ -12,13 +15,36 @@
 
 namespace hodt {
 
+/// For every vertex a half-edge that leaves it, as outgoing_halfedges gives it: made when one is
+/// first asked for, as some questions do without.
+class OutgoingOnDemand {
+ public:
+  explicit OutgoingOnDemand(const TriangleMesh& mesh) : state_(std::make_shared<State>(mesh)) {}
+
+  const Buffer<HalfEdgeId>& all() const {
+    if (!state_->is_made.load(std::memory_order_acquire)) state_->make();
+    return state_->all;
+  }
+  HalfEdgeId operator[](std::size_t v) const { return all()[v]; }
+
+ private:
+  struct State {
+    explicit State(const TriangleMesh& m) : mesh(m) {}
+    void make();
+
+    const TriangleMesh& mesh;
+    std::mutex making;
+    std::atomic<bool> is_made = false;
+    Buffer<HalfEdgeId> all;
+  };
+  std::shared_ptr<State> state_;
+};
+
 /// A view: the Delaunay triangulation must outlive it and stay as it is.
 class DelaunayGraph {
  public:
   explicit DelaunayGraph(const Delaunay& delaunay)
-      : xy(delaunay.vertices.xy),
-        mesh(delaunay.mesh),
-        outgoing(outgoing_halfedges(delaunay.mesh)) {}
+      : xy(delaunay.vertices.xy), mesh(delaunay.mesh), outgoing(delaunay.mesh) {}
 
   /// Stores every vertex's neighbours side by side, 28 bytes a point: worth it before questions
   /// about most of the vertices. Finds hubs. Changes no answer.
@@ -85,7 +111,7 @@ class DelaunayGraph {
 
   const std::span<const Point> xy;
   const TriangleMesh& mesh;
-  const Buffer<HalfEdgeId> outgoing;  ///< as outgoing_halfedges gives it
+  const OutgoingOnDemand outgoing;
 
  private:
   /// A list of vertices for every vertex, all in one array.

@@ -16,12 +16,12 @@ namespace hodt {
 bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h);
 
 /// Moves those of the edges that are wanted to the front, in their order, and returns how many they
-/// are. Several threads may call it at once, each with kMostFirstOrderEdges at most.
+/// are. Several threads may call it at once.
 using KeepWanted = std::function<std::size_t(std::span<HalfEdgeId>)>;
-inline constexpr std::size_t kMostFirstOrderEdges = 248;
 
 /// The flippable edges, one half-edge each (the smaller of the two), ascending; of these the ones
-/// that are wanted, which is asked about all inner edges. O(n).
+/// that are wanted, which is asked about all that nearby points leave possible, as to count circles
+/// costs more. The circles of what each flip makes have been counted, each by itself. O(n).
 std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,
                                           const KeepWanted& keep_wanted = {});
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <utility>
 
 #include "hodt/base/parallel.h"
 #include "hodt/order/circle_counter.h"
@@ -15,6 +17,24 @@ VertexId lost_corner(const std::array<VertexId, 3>& before, const std::array<Ver
   for (const VertexId v : before)
     if (std::find(after.begin(), after.end(), v) == after.end()) return v;
   return {};
+}
+
+/// Given the orders of the triangles that are not Delaunay.
+std::vector<std::size_t> histogram_of(const std::vector<Index>& orders, std::size_t triangles) {
+  std::vector<std::size_t> histogram(1, triangles - orders.size());
+  for (const Index order : orders) {
+    if (histogram.size() <= order) histogram.resize(order + 1, 0);
+    ++histogram[order];
+  }
+  return histogram;
+}
+
+void check_apart(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips) {
+  Buffer<bool> used(mesh.triangle_count(), false);
+  for (const HalfEdgeId h : flips)
+    for (const HalfEdgeId side : {h, mesh.twin(h)})
+      if (std::exchange(used[TriangleMesh::triangle(side)], true))
+        throw std::logic_error("two flips in one triangle");
 }
 
 }  // namespace
@@ -46,12 +66,14 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
     }
   });
 
-  std::vector<std::size_t> histogram(1, mesh.triangle_count() - changed.size());
-  for (const Index order : orders) {
-    if (histogram.size() <= order) histogram.resize(order + 1, 0);
-    ++histogram[order];
-  }
-  return histogram;
+  return histogram_of(orders, mesh.triangle_count());
+}
+
+std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const MeshChange& change) {
+  if (change.mesh()) return order_histogram(graph, *change.mesh());
+  const std::span<const HalfEdgeId> flips = change.flips();
+  check_apart(graph.mesh, flips);
+  return histogram_of(std::vector<Index>(2 * flips.size(), 1), graph.mesh.triangle_count());
 }
 
 }  // namespace hodt

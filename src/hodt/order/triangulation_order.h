@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hodt/base/ids.h"
+#include "hodt/mesh/mesh_change.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
@@ -13,5 +14,9 @@ namespace hodt {
 /// place that they have in the Delaunay triangulation have order 0, all others are counted.
 /// Requires mesh.triangle_count() to be that of the Delaunay triangulation.
 std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const TriangleMesh& mesh);
+/// The same of a change of the Delaunay triangulation, before it is made. A mesh is counted; of
+/// flips, which first_order_edges counted one by one, each makes two triangles of order 1. Throws
+/// std::logic_error if two flips are in one triangle.
+std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const MeshChange& change);
 
 }  // namespace hodt
