@@ -88,7 +88,7 @@ Choices choices_of(const Instance& instance, const Objective& objective) {
   Choices choices(Combination(objective), instance.count);
   for (Index i = 0; i < instance.count; ++i) choices.add(i, instance.singles[i]);
   for (const auto& [i, j, c] : instance.pairs)
-    choices.add(i, j, {{{c[0][0], c[0][1]}, {c[1][0], c[1][1]}}});
+    choices.add(std::array{ChoicePair{i, j, {{{c[0][0], c[0][1]}, {c[1][0], c[1][1]}}}}});
   return choices;
 }
 

@@ -1,5 +1,6 @@
 #include "hodt/optimize/edge_measures.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "../support/shapes.h"
@@ -32,13 +33,23 @@ TEST(ManyEdges, have_the_same_bits_as_one) {
     ASSERT_GT(edges.size(), 500u);  // more than are measured at once
     for (const Index lanes : {4u, 8u, 16u}) {
       const LaneLimit limit(lanes);
-      std::vector<double> all(edges.size(), -1);
       ManyEdges many(values);
-      for (std::size_t i = 0; i < edges.size(); ++i)
-        many.add(edges[i].a, edges[i].b, edges[i].f, edges[i].g, all[i]);
-      many.measure();
-      for (std::size_t i = 0; i < edges.size(); ++i)
-        ASSERT_EQ(all[i], values.across(edges[i].a, edges[i].b, edges[i].f, edges[i].g));
+      for (std::size_t begin = 0; begin + 1 < edges.size(); begin += ManyEdges::kSize) {
+        // On each side the gradients of two edges.
+        const std::size_t size = std::min(ManyEdges::kSize, edges.size() - 1 - begin);
+        for (std::size_t i = 0; i < size; ++i) {
+          const Edge &edge = edges[begin + i], &other = edges[begin + i + 1];
+          many.set(i, edge.a, edge.b, {edge.f, other.f}, {edge.g, other.g});
+        }
+        for (const int left : {0, 1})
+          for (const int right : {0, 1}) {
+            const double* const all = many.measure(size, left, right);
+            for (std::size_t i = 0; i < size; ++i)
+              ASSERT_EQ(all[i],
+                        values.across(edges[begin + i].a, edges[begin + i].b,
+                                      edges[begin + i + left].f, edges[begin + i + right].g));
+          }
+      }
     }
   }
 }

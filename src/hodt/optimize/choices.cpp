@@ -15,8 +15,8 @@ void Choices::add(Index i, const SingleCosts& costs) {
   for (Index x = 0; x < 2; ++x) singles_[i][x] = combination_.combine(singles_[i][x], costs[x]);
 }
 
-void Choices::add(Index i, Index j, const std::array<SingleCosts, 2>& costs) {
-  pairs_.push_back({i, j, costs});
+void Choices::add(std::span<const ChoicePair> pairs) {
+  pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
 }
 
 namespace {
@@ -35,6 +35,7 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
     chosen_before.push_back(known.chosen[i]);
   }
   Choices rest(c, static_cast<Index>(open.size()));
+  std::vector<ChoicePair> pairs;
   double settled_cost = c.neutral();
   for (Index i = 0; i < part.size(); ++i) {
     const bool x = known.chosen[i];
@@ -51,11 +52,13 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
       else if (number[i] == kNone && number[j] == kNone && i < j)
         settled_cost = c.combine(settled_cost, pair.cost(part[i], x, y));
       else if (number[i] != kNone && i < j)
-        rest.add(number[i], number[j],
-                 {{{pair.cost(part[i], false, false), pair.cost(part[i], false, true)},
-                   {pair.cost(part[i], true, false), pair.cost(part[i], true, true)}}});
+        pairs.push_back({number[i],
+                         number[j],
+                         {{{pair.cost(part[i], false, false), pair.cost(part[i], false, true)},
+                           {pair.cost(part[i], true, false), pair.cost(part[i], true, true)}}}});
     }
   }
+  rest.add(pairs);
   const Choices::Result found = rest.best(deadline);
   PartChoices result = known;
   const bool is_better = c.better(rest.value(found.chosen), rest.value(chosen_before));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "hodt/base/deadline.h"
@@ -18,8 +19,8 @@ class Choices {
 
   /// Adds to what choice i costs if it is 0 or 1.
   void add(Index i, const SingleCosts& costs);
-  /// Adds to what choices i and j cost together, [i][j]. REQUIRES i != j.
-  void add(Index i, Index j, const std::array<SingleCosts, 2>& costs);
+  /// Adds to what two choices cost together. REQUIRES that they are not the same.
+  void add(std::span<const ChoicePair> pairs);
 
   /// What such choices cost.
   double value(const std::vector<bool>& chosen) const;

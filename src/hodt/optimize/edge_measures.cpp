@@ -68,15 +68,16 @@ double EdgeValues::across(VertexId a, VertexId b, const Gradient& f, const Gradi
   return value;
 }
 
-void ManyEdges::measure() {
+const double* ManyEdges::measure(std::size_t size, int left, int right) {
+  const GradientColumns &f = left_[left], &g = right_[right];
+  Column& value = value_[left][right];
   with_measure(values_.objective().measure, [&](const auto& measure) {
     run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
-      for (std::size_t i = 0; i < size_; ++i)
-        value_[i] = finite(measure(x_[i], y_[i], {f_x_[i], f_y_[i]}, {g_x_[i], g_y_[i]}));
+      for (std::size_t i = 0; i < size; ++i)
+        value[i] = finite(measure(x_[i], y_[i], {f.x[i], f.y[i]}, {g.x[i], g.y[i]}));
     });
   });
-  for (std::size_t i = 0; i < size_; ++i) *result_[i] = value_[i];
-  size_ = 0;
+  return value.data();
 }
 
 double EdgeValues::of(const TriangleMesh& mesh) const {

@@ -50,33 +50,42 @@ class EdgeValues : public Combination {
   std::span<const double> z_;
 };
 
-/// EdgeValues::across for many edges: the same bits, in a fraction of the time.
+/// EdgeValues::across for many edges side by side, each between one of two gradients on its left
+/// and one of two on its right: the same bits, in a fraction of the time.
 class ManyEdges {
  public:
+  static constexpr std::size_t kSize = 124;  // no power of two: see order/nearest_beyond.cpp
+  using Gradients = std::array<EdgeValues::Gradient, 2>;
+
   explicit ManyEdges(const EdgeValues& values) : values_(values) {}
 
-  /// `result` gets its value by the next measure() at the latest.
-  void add(VertexId a, VertexId b, const EdgeValues::Gradient& f, const EdgeValues::Gradient& g,
-           double& result) {
+  /// Edge i, from a to b.
+  void set(std::size_t i, VertexId a, VertexId b, const Gradients& left, const Gradients& right) {
     const auto [x, y] = values_.along(a, b);
-    x_[size_] = x;
-    y_[size_] = y;
-    f_x_[size_] = f.x;
-    f_y_[size_] = f.y;
-    g_x_[size_] = g.x;
-    g_y_[size_] = g.y;
-    result_[size_] = &result;
-    if (++size_ == kSize) measure();
+    x_[i] = x;
+    y_[i] = y;
+    for (int g = 0; g < 2; ++g) {
+      left_[g].set(i, left[g]);
+      right_[g].set(i, right[g]);
+    }
   }
-  void measure();
+  /// The values of the first so many, for the gradients of these numbers.
+  const double* measure(std::size_t size, int left, int right);
 
  private:
-  static constexpr std::size_t kSize = 248;  // no power of two: see order/first_order.cpp
+  using Column = std::array<double, kSize>;
+  struct GradientColumns {
+    Column x, y;
+    void set(std::size_t i, const EdgeValues::Gradient& g) {
+      x[i] = g.x;
+      y[i] = g.y;
+    }
+  };
 
   const EdgeValues& values_;
-  std::size_t size_ = 0;
-  std::array<double, kSize> x_, y_, f_x_, f_y_, g_x_, g_y_, value_;
-  std::array<double*, kSize> result_;
+  Column x_, y_;
+  std::array<GradientColumns, 2> left_, right_;
+  std::array<std::array<Column, 2>, 2> value_;
 };
 
 }  // namespace hodt

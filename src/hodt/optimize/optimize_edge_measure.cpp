@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
 #include "hodt/optimize/choices.h"
 #include "hodt/optimize/edge_bound.h"
@@ -36,21 +37,30 @@ class Optimizer {
 
  private:
   using Gradient = EdgeValues::Gradient;
-  /// Two Delaunay triangles with an edge that can be flipped, and what is there after the flip.
+  using Gradients = ManyEdges::Gradients;
+  /// Two Delaunay triangles with an edge that can be flipped.
   struct Quadrilateral {
-    HalfEdgeId diagonal;
-    Gradient at_origin, at_target;  // of the triangles that keep one of its ends
+    HalfEdgeId diagonal, twin;
+    Gradients flipped;  // of the triangles after the flip, with its origin and with its target
   };
-  /// What an edge costs for each choice of the quadrilaterals on its left and right, if any.
-  struct EdgeCosts {
-    Index left, right;
-    std::array<SingleCosts, 2> costs;  // [left][right]
+  struct Single {
+    Index choice;
+    SingleCosts costs;
   };
+  /// What some edges cost, by the quadrilaterals on their sides.
+  struct Costs {
+    double constant;  // of those without
+    std::vector<Single> singles;
+    std::vector<ChoicePair> pairs;
+  };
+  class CostsOfEdges;
+  static constexpr Index kClosed = 0;
+  static Index choice(Index quadrilateral) { return quadrilateral - 1; }
+
   void choose_diagonals();
   void find_quadrilaterals();
   double add_costs(Choices& choices) const;
-  void add_costs(HalfEdgeId h, EdgeCosts& edge, ManyEdges& many) const;
-  const Gradient& other_gradient(HalfEdgeId side) const;
+  void add_diagonals(Choices& choices) const;
   void improve_on_first_order();
 
   const MeasureProblem& problem_;
@@ -59,60 +69,169 @@ class Optimizer {
   const EdgeValues values_;
   MeasuredSolution solution_;
   Buffer<Gradient> gradients_;  // of the triangles
+  // The first one stands for none.
   std::vector<Quadrilateral> quadrilaterals_;
-  Buffer<Index> quadrilateral_;  // of a triangle, or kNone
+  Buffer<Index> quadrilateral_;  // that a triangle is in, or kClosed
 };
 
 void Optimizer::find_quadrilaterals() {
   gradients_ = values_.gradients(delaunay_);
-  quadrilateral_ = Buffer<Index>(delaunay_.triangle_count(), kNone);
+  quadrilateral_ = Buffer<Index>(delaunay_.triangle_count(), kClosed);
+  quadrilaterals_.resize(1);
   if (problem_.order == 0) return;
-  for (const HalfEdgeId h : first_order_edges(graph_)) {
+  const std::vector<HalfEdgeId> flippable = first_order_edges(graph_);
+  quadrilaterals_.reserve(1 + flippable.size());
+  for (const HalfEdgeId h : flippable) {
     const HalfEdgeId twin = delaunay_.twin(h);
-    const VertexId a = delaunay_.origin(h), b = delaunay_.target(h);
+    const VertexId a = delaunay_.origin(h), b = delaunay_.origin(twin);
     const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
     quadrilateral_[TriangleMesh::triangle(h)] = quadrilateral_[TriangleMesh::triangle(twin)] =
         static_cast<Index>(quadrilaterals_.size());
-    quadrilaterals_.push_back({h, values_.gradient(a, d, c), values_.gradient(b, c, d)});
+    quadrilaterals_.push_back({h, twin, {values_.gradient(a, d, c), values_.gradient(b, c, d)}});
   }
+}
+
+/// The costs of edges that are no diagonals. How many quadrilaterals are at an edge is a matter of
+/// chance, so that edges are sorted by it, without branches, and measured kind by kind.
+class Optimizer::CostsOfEdges {
+ public:
+  CostsOfEdges(const Optimizer& optimizer, Costs& costs)
+      : o_(optimizer), costs_(costs), many_(optimizer.values_) {}
+
+  void add(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const HalfEdgeId h{Index(i)}, twin = o_.delaunay_.twin(h);
+      if (!twin.valid()) continue;
+      const Index left = quadrilateral(h), right = quadrilateral(twin);
+      const bool is_left_open = left != kClosed, is_right_open = right != kClosed;
+      const bool counts = (h < twin) & ((left != right) | !is_left_open);
+      std::size_t& size = size_[is_left_open + is_right_open];
+      auto& edges = edges_[is_left_open + is_right_open];
+      // If there is one quadrilateral, it is on the left.
+      edges[size] = HalfEdgeId(std::array<Index, 2>{h, twin}[is_right_open & !is_left_open]);
+      size += std::size_t{counts};
+      if (size == edges.size()) measure();
+    }
+    measure();
+  }
+
+ private:
+  Index quadrilateral(HalfEdgeId h) const { return o_.quadrilateral_[TriangleMesh::triangle(h)]; }
+  Gradients gradients(HalfEdgeId h) const;
+  void gather(std::span<const HalfEdgeId> edges);
+  void measure();
+  void measure_closed(std::span<const HalfEdgeId> edges);
+  void measure_singles(std::span<const HalfEdgeId> edges);
+  void measure_pairs(std::span<const HalfEdgeId> edges);
+
+  const Optimizer& o_;
+  Costs& costs_;
+  ManyEdges many_;
+  // With no, one and two quadrilaterals.
+  std::array<std::array<HalfEdgeId, ManyEdges::kSize>, 3> edges_;
+  std::array<std::size_t, 3> size_{};
+};
+
+/// The gradients on the left of h without and with the flip there, if there is one.
+Optimizer::Gradients Optimizer::CostsOfEdges::gradients(HalfEdgeId h) const {
+  const Quadrilateral& q = o_.quadrilaterals_[quadrilateral(h)];
+  // What the flip makes of the triangles with these sides has the diagonal's origin.
+  const bool has_origin = (h == TriangleMesh::prev(q.diagonal)) | (h == TriangleMesh::next(q.twin));
+  return {o_.gradients_[TriangleMesh::triangle(h)], q.flipped[has_origin ? 0 : 1]};
+}
+
+void Optimizer::CostsOfEdges::gather(std::span<const HalfEdgeId> edges) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const HalfEdgeId h = edges[i], twin = o_.delaunay_.twin(h);
+    many_.set(i, o_.delaunay_.origin(h), o_.delaunay_.origin(twin), gradients(h), gradients(twin));
+  }
+}
+
+void Optimizer::CostsOfEdges::measure() {
+  const auto take = [&](int kind) {
+    return std::span<const HalfEdgeId>(edges_[kind].data(), std::exchange(size_[kind], 0));
+  };
+  measure_closed(take(0));
+  measure_singles(take(1));
+  measure_pairs(take(2));
+}
+
+void Optimizer::CostsOfEdges::measure_closed(std::span<const HalfEdgeId> edges) {
+  gather(edges);
+  const double sum = o_.values_.combine({many_.measure(edges.size(), 0, 0), edges.size()});
+  costs_.constant = o_.values_.combine(costs_.constant, sum);
+}
+
+void Optimizer::CostsOfEdges::measure_singles(std::span<const HalfEdgeId> edges) {
+  gather(edges);
+  const double* const now = many_.measure(edges.size(), 0, 0);
+  const double* const flipped = many_.measure(edges.size(), 1, 0);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    costs_.singles.push_back({choice(quadrilateral(edges[i])), {now[i], flipped[i]}});
+}
+
+void Optimizer::CostsOfEdges::measure_pairs(std::span<const HalfEdgeId> edges) {
+  gather(edges);
+  const double* const now = many_.measure(edges.size(), 0, 0);
+  const double* const right = many_.measure(edges.size(), 0, 1);
+  const double* const left = many_.measure(edges.size(), 1, 0);
+  const double* const both = many_.measure(edges.size(), 1, 1);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    costs_.pairs.push_back({choice(quadrilateral(edges[i])),
+                            choice(quadrilateral(o_.delaunay_.twin(edges[i]))),
+                            {{{now[i], right[i]}, {left[i], both[i]}}}});
 }
 
 /// Returns what the edges cost that depend on no choice.
 double Optimizer::add_costs(Choices& choices) const {
   double constant = values_.neutral();
-  const auto find = [&](std::size_t first, std::size_t last, std::vector<EdgeCosts>& found) {
-    found.reserve(last - first);  // no value moves before it is measured
-    ManyEdges many(values_);
-    for (std::size_t i = first; i < last; ++i)
-      if (const HalfEdgeId h{Index(i)}; !delaunay_.is_boundary(h) && h < delaunay_.twin(h))
-        add_costs(h, found.emplace_back(), many);
-    many.measure();
+  const auto find = [&](std::size_t first, std::size_t last, std::vector<Costs>& found) {
+    Costs& costs = found.emplace_back();
+    costs.constant = values_.neutral();
+    CostsOfEdges(*this, costs).add(first, last);
   };
-  const auto add = [&](const std::vector<EdgeCosts>& edges) {
-    for (const auto& [left, right, costs] : edges) {
-      if (left == kNone && right == kNone)
-        constant = values_.combine(constant, costs[0][0]);
-      else if (right == kNone || left == right)
-        choices.add(left, {costs[0][0], costs[1][0]});
-      else if (left == kNone)
-        choices.add(right, costs[0]);
-      else
-        choices.add(left, right, costs);
+  const auto add = [&](const std::vector<Costs>& parts) {
+    for (const Costs& costs : parts) {
+      constant = values_.combine(constant, costs.constant);
+      for (const Single& single : costs.singles) choices.add(single.choice, single.costs);
+      choices.add(costs.pairs);
     }
   };
   // Pieces that stay in the cache.
-  parallel_stream<EdgeCosts>(0, delaunay_.halfedge_count(), 1 << 16, 1 << 13, find, add);
+  parallel_stream<Costs>(0, delaunay_.halfedge_count(), 1 << 14, 1 << 11, find, add);
+  add_diagonals(choices);
   return constant;
+}
+
+void Optimizer::add_diagonals(Choices& choices) const {
+  ManyEdges many(values_);
+  for (Index begin = 1; begin < quadrilaterals_.size(); begin += ManyEdges::kSize) {
+    const auto size =
+        static_cast<Index>(std::min(ManyEdges::kSize, quadrilaterals_.size() - begin));
+    for (Index i = 0; i < size; ++i) {
+      const auto& [h, twin, flipped] = quadrilaterals_[begin + i];
+      const Gradient &f = gradients_[TriangleMesh::triangle(h)],
+                     &g = gradients_[TriangleMesh::triangle(twin)];
+      many.set(i, delaunay_.origin(h), delaunay_.origin(twin), {f, f}, {g, g});
+    }
+    const double* const now = many.measure(size, 0, 0);
+    for (Index i = 0; i < size; ++i) {
+      const auto& [h, twin, flipped] = quadrilaterals_[begin + i];
+      many.set(i, delaunay_.apex(h), delaunay_.apex(twin), flipped, flipped);
+    }
+    const double* const flipped = many.measure(size, 0, 1);
+    for (Index i = 0; i < size; ++i) choices.add(choice(begin + i), {now[i], flipped[i]});
+  }
 }
 
 void Optimizer::choose_diagonals() {
   find_quadrilaterals();
-  Choices choices(values_, static_cast<Index>(quadrilaterals_.size()));
+  Choices choices(values_, static_cast<Index>(quadrilaterals_.size() - 1));
   const double constant = add_costs(choices);
   const Choices::Result best = choices.best(problem_.deadline);
   std::vector<HalfEdgeId> flips;
-  for (Index q = 0; q < quadrilaterals_.size(); ++q)
-    if (best.chosen[q]) flips.push_back(quadrilaterals_[q].diagonal);
+  for (Index q = 1; q < quadrilaterals_.size(); ++q)
+    if (best.chosen[choice(q)]) flips.push_back(quadrilaterals_[q].diagonal);
   solution_.change = MeshChange(std::move(flips));
   const auto in_all = [&](double cost_of_choices) {
     const double value = values_.combine(constant, cost_of_choices);
@@ -121,40 +240,6 @@ void Optimizer::choose_diagonals() {
   solution_.delaunay = in_all(choices.value(std::vector<bool>(best.chosen.size(), false)));
   solution_.result = in_all(choices.value(best.chosen));
   solution_.bound = in_all(best.bound);
-}
-
-/// At the side of a quadrilateral when its other diagonal is taken: of the triangle with the end of
-/// the diagonal that the side has, too.
-const Optimizer::Gradient& Optimizer::other_gradient(HalfEdgeId side) const {
-  const Quadrilateral& q = quadrilaterals_[quadrilateral_[TriangleMesh::triangle(side)]];
-  const VertexId origin = delaunay_.origin(q.diagonal);
-  const bool has_origin = delaunay_.origin(side) == origin || delaunay_.target(side) == origin;
-  return has_origin ? q.at_origin : q.at_target;
-}
-
-/// Those of one edge, to be measured with many.
-void Optimizer::add_costs(HalfEdgeId h, EdgeCosts& edge, ManyEdges& many) const {
-  const HalfEdgeId twin = delaunay_.twin(h);
-  const TriangleId left_triangle = TriangleMesh::triangle(h);
-  const TriangleId right_triangle = TriangleMesh::triangle(twin);
-  const VertexId a = delaunay_.origin(h), b = delaunay_.target(h);
-  const Gradient &f = gradients_[left_triangle], &g = gradients_[right_triangle];
-  edge.left = quadrilateral_[left_triangle];
-  edge.right = quadrilateral_[right_triangle];
-  auto& costs = edge.costs;
-  many.add(a, b, f, g, costs[0][0]);
-  if (edge.left != kNone && edge.left == edge.right) {  // its diagonal, or the other one
-    const Quadrilateral& q = quadrilaterals_[edge.left];
-    const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
-    many.add(c, d, q.at_origin, q.at_target, costs[1][0]);
-    return;
-  }
-  const bool is_left_open = edge.left != kNone, is_right_open = edge.right != kNone;
-  const Gradient& other_f = is_left_open ? other_gradient(h) : f;
-  const Gradient& other_g = is_right_open ? other_gradient(twin) : g;
-  if (is_left_open) many.add(a, b, other_f, g, costs[1][0]);
-  if (is_right_open) many.add(a, b, f, other_g, costs[0][1]);
-  if (is_left_open && is_right_open) many.add(a, b, other_f, other_g, costs[1][1]);
 }
 
 /// By flips, from there and from what the bound suggests.

@@ -7,9 +7,9 @@ namespace {
 /// Of a vertex that has more neighbours than hubs need (see DelaunayGraph), so many are asked.
 constexpr std::size_t kMany = 256;
 
-/// holds_only, if that is known from so many neighbours of v.
+/// Whether the circle holds the origin of `start` only, if that is known from so many neighbours.
 std::optional<bool> holds_only_by(std::size_t most, const DelaunayGraph& graph,
-                                  const std::array<VertexId, 3>& corners, VertexId v) {
+                                  const std::array<VertexId, 3>& corners, HalfEdgeId start) {
   const TriangleMesh& mesh = graph.mesh;
   const auto [a, b, c] = corners;
   const Circle circle(graph.point(a), graph.point(b), graph.point(c));
@@ -17,23 +17,31 @@ std::optional<bool> holds_only_by(std::size_t most, const DelaunayGraph& graph,
     // To ask about a corner would send it to exact arithmetic, for a known answer.
     return w != a && w != b && w != c && circle.contains(graph.point(w));
   };
-  if (!is_inside(v)) return false;
-  const HalfEdgeId start = graph.outgoing[v];
+  if (!is_inside(mesh.origin(start))) return false;
+  std::size_t asked = 0;
   HalfEdgeId h = start;
-  for (std::size_t asked = 0; asked < most; ++asked) {
+  do {
+    if (++asked > most) return std::nullopt;
     if (is_inside(mesh.target(h))) return false;
     const HalfEdgeId following = mesh.rotate_ccw(h);
-    if (!following.valid()) return !is_inside(mesh.apex(h));
-    if (following == start) return true;
+    if (!following.valid()) break;
     h = following;
+  } while (h != start);
+  if (!mesh.is_boundary(TriangleMesh::prev(h))) return true;
+  // The boundary was in the way: the other way around from the start.
+  if (is_inside(mesh.apex(h))) return false;
+  for (h = mesh.rotate_cw(start); h.valid(); h = mesh.rotate_cw(h)) {
+    if (++asked > most) return std::nullopt;
+    if (is_inside(mesh.target(h))) return false;
   }
-  return std::nullopt;
+  return true;
 }
 
 }  // namespace
 
-bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners, VertexId v) {
-  return *holds_only_by(graph.xy.size(), graph, corners, v);
+bool holds_origin_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners,
+                       HalfEdgeId h) {
+  return *holds_only_by(graph.xy.size(), graph, corners, h);
 }
 
 void CircleCounter::begin_round() {
@@ -66,11 +74,11 @@ Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
   return static_cast<Index>(inside_.size());
 }
 
-bool SoleInside::holds_only(const std::array<VertexId, 3>& corners, VertexId v) {
-  if (const std::optional<bool> known = holds_only_by(kMany, graph_, corners, v)) return *known;
+bool SoleInside::holds_origin_only(const std::array<VertexId, 3>& corners, HalfEdgeId h) {
+  if (const std::optional<bool> known = holds_only_by(kMany, graph_, corners, h)) return *known;
   const auto [a, b, c] = corners;
   CircleCounter& counter = past_hubs();
-  return counter.count(a, b, c, 1) == 1 && counter.inside().front() == v;
+  return counter.count(a, b, c, 1) == 1 && counter.inside().front() == graph_.mesh.origin(h);
 }
 
 CircleCounter& SoleInside::past_hubs() {

@@ -16,9 +16,10 @@ namespace hodt {
 /// A limit that no count exceeds.
 inline constexpr Index kUnlimited = kNone - 1;
 
-/// Whether the circle through three vertices (counter-clockwise) holds v and nothing else. Costs
-/// the neighbours of v, for the reason that CircleCounter gives.
-bool holds_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners, VertexId v);
+/// Whether the circle through three vertices (counter-clockwise) holds the origin of h and nothing
+/// else. Costs the neighbours of that, for the reason that CircleCounter gives.
+bool holds_origin_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners,
+                       HalfEdgeId h);
 
 /// Counts by searching outward: in the Delaunay graph, the points inside a circle together with
 /// any one point on it are connected, and so are they alone. (Lifted to the paraboloid they are the
@@ -51,14 +52,14 @@ class CircleCounter {
   std::vector<VertexId> inside_;
 };
 
-/// holds_only for many circles, also asked about by several threads at once. Where a vertex has
-/// very many neighbours, asking all of them each time would take the square of their number: then
-/// those of a corner are asked, past such vertices.
+/// holds_origin_only for many circles, also asked about by several threads at once. Where a vertex
+/// has very many neighbours, asking all of them each time would take the square of their number:
+/// then those of a corner are asked, past such vertices.
 class SoleInside {
  public:
   explicit SoleInside(const DelaunayGraph& graph) : graph_(graph) {}
 
-  bool holds_only(const std::array<VertexId, 3>& corners, VertexId v);
+  bool holds_origin_only(const std::array<VertexId, 3>& corners, HalfEdgeId h);
 
  private:
   CircleCounter& past_hubs();

@@ -77,11 +77,12 @@ bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
   const TriangleMesh& mesh = graph.mesh;
   if (mesh.is_boundary(h)) return false;
   // The diagonal u v crosses the edge s y; s is to the left of u v, so s, u, y, v go around.
-  const VertexId s = mesh.origin(h), y = mesh.target(h);
-  const VertexId v = mesh.apex(h), u = mesh.apex(mesh.twin(h));
+  const HalfEdgeId twin = mesh.twin(h);
+  const VertexId s = mesh.origin(h), y = mesh.origin(twin), v = mesh.apex(h), u = mesh.apex(twin);
   const Point &pu = graph.point(u), &pv = graph.point(v);
   const bool is_convex = orient(pu, pv, graph.point(s)) > 0 && orient(pv, pu, graph.point(y)) > 0;
-  return is_convex && holds_only(graph, {u, v, s}, y) && holds_only(graph, {v, u, y}, s);
+  return is_convex && holds_origin_only(graph, {u, v, s}, twin) &&
+         holds_origin_only(graph, {v, u, y}, h);
 }
 
 std::vector<HalfEdgeId> first_order_edges(const DelaunayGraph& graph,

@@ -148,7 +148,7 @@ void FlipCircles::hold_one_each(std::span<const HalfEdgeId> edges, bool* answers
 bool FlipCircles::holds_one(HalfEdgeId h) {
   const auto [a, b, c] = corners(graph_.mesh, h);
   return orient(graph_.point(a), graph_.point(b), graph_.point(c)) > 0 &&
-         sole_.holds_only({a, b, c}, graph_.mesh.origin(h));
+         sole_.holds_origin_only({a, b, c}, h);
 }
 
 }  // namespace hodt

@@ -12,10 +12,14 @@ namespace hodt {
 
 namespace {
 
-/// A corner that the first triangle has and the second one not; kNone if there is none.
-VertexId lost_corner(const std::array<VertexId, 3>& before, const std::array<VertexId, 3>& after) {
-  for (const VertexId v : before)
-    if (std::find(after.begin(), after.end(), v) == after.end()) return v;
+/// The half-edge that leaves a corner which the triangle has and these are not; kNone if there is
+/// none.
+HalfEdgeId from_lost_corner(const TriangleMesh& mesh, TriangleId t,
+                            const std::array<VertexId, 3>& after) {
+  for (Index i = 0; i < 3; ++i) {
+    const HalfEdgeId h(TriangleMesh::halfedge(t) + i);
+    if (std::find(after.begin(), after.end(), mesh.origin(h)) == after.end()) return h;
+  }
   return {};
 }
 
@@ -56,13 +60,14 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
       const std::array<VertexId, 3> corners = mesh.corners(changed[i]);
       // A flip's triangle has the corner in its circle that its place had before, and mostly that
       // is all.
-      const VertexId lost = lost_corner(graph.mesh.corners(changed[i]), corners);
-      if (lost.valid() && sole.holds_only(corners, lost)) {
+      const HalfEdgeId lost = from_lost_corner(graph.mesh, changed[i], corners);
+      if (lost.valid() && sole.holds_origin_only(corners, lost)) {
         orders[i] = 1;
         continue;
       }
       const auto [a, b, c] = corners;
-      orders[i] = counter.count(a, b, c, kUnlimited, lost);
+      orders[i] =
+          counter.count(a, b, c, kUnlimited, lost.valid() ? graph.mesh.origin(lost) : VertexId());
     }
   });
 
