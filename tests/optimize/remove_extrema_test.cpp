@@ -12,7 +12,9 @@
 #include "solution_check.h"
 #include <gtest/gtest.h>
 
+#include "hodt/base/buffer.h"
 #include "hodt/base/parallel.h"
+#include "hodt/optimize/heights.h"
 
 namespace hodt {
 namespace {
@@ -71,6 +73,13 @@ TEST_P(RemoveExtrema, at_any_order_by_any_method) {
           ASSERT_EQ(problem(terrain, best, k, objective), "") << what();
           ASSERT_EQ(problem(terrain, greedy, k, objective), "") << what();
           ASSERT_LE(best.result, greedy.result) << what();
+          const ExtremaSolution flips = solve(terrain, k, objective, Method::flip);
+          ASSERT_EQ(problem(terrain, flips, k, objective), "") << what();
+          ASSERT_LE(flips.bound, best.result) << what();
+          // Each quadrilateral of order 1 gets the diagonal that Theorem 3 takes.
+          ASSERT_TRUE(k != 1 || objective == Objective::min_local_extrema ||
+                      flips.result == best.result)
+              << what();
           ASSERT_GE(best.bound, greedy.bound) << what();
           ASSERT_GE(best.bound, hopeless(instance, int(k), objective)) << what();
           ASSERT_LE(best.bound, last_bound) << what();
@@ -86,6 +95,42 @@ TEST_P(RemoveExtrema, at_any_order_by_any_method) {
 
 INSTANTIATE_TEST_SUITE_P(All, RemoveExtrema, testing::ValuesIn(families::all()),
                          [](const auto& each) { return each.param.name; });
+
+TEST(RemoveExtremaKeep, by_any_method) {
+  const support::Points points = support::uniform(800, 4);
+  const Terrain terrain(points, support::rough_heights(points, 1, 2));
+  const auto is_minimum = [&](const TriangleMesh& mesh, Index v) {
+    const Heights heights{terrain.graph.xy, terrain.z()};
+    bool is = true;
+    for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+      const VertexId a = mesh.origin(HalfEdgeId(h)), b = mesh.target(HalfEdgeId(h));
+      if (a == v) is &= heights.lower(a, b);
+      if (b == v) is &= heights.lower(b, a);
+    }
+    return is;
+  };
+  Buffer<bool> keep(points.size(), false);
+  std::vector<Index> kept;
+  for (Index v = 0; v < points.size(); ++v)
+    if (v % 2 == 0 && is_minimum(terrain.delaunay.mesh, v)) {
+      keep[v] = true;
+      kept.push_back(v);
+    }
+  ASSERT_GT(kept.size(), 10u);
+  for (const Objective objective : {Objective::min_local_minima, Objective::min_local_extrema})
+    for (const Method method : {Method::automatic, Method::greedy, Method::flip, Method::exact}) {
+      const auto solution = remove_extrema({.graph = terrain.graph,
+                                            .z = terrain.z(),
+                                            .order = 4,
+                                            .objective = objective,
+                                            .method = method,
+                                            .keep = keep});
+      EXPECT_EQ(problem(terrain, solution, 4, objective), "");
+      EXPECT_LT(solution.result, solution.delaunay);
+      const TriangleMesh mesh = solution.change.applied_to(terrain.delaunay.mesh);
+      for (const Index v : kept) EXPECT_TRUE(is_minimum(mesh, v)) << name_of(objective);
+    }
+}
 
 // ---- Against the optimum ----
 

@@ -84,6 +84,17 @@ class Flipper {
   std::vector<HalfEdgeId> queue_;
 };
 
+/// Calls f(v) for every neighbour of the origin of h, whatever is at the boundary.
+template <class F>
+void for_each_neighbour_around(const TriangleMesh& mesh, HalfEdgeId h, const F& f) {
+  HalfEdgeId first = h;
+  for (HalfEdgeId before = mesh.rotate_cw(h); before.valid() && before != h;
+       before = mesh.rotate_cw(before))
+    first = before;
+  if (mesh.is_boundary(first)) return for_each_neighbour(mesh, first, f);
+  for_each_neighbour(mesh, h, f);
+}
+
 /// What a flip changes; 0 where there is no such edge, before and after.
 using FiveValues = std::array<double, 5>;
 
@@ -148,14 +159,8 @@ void reduce_degrees_by_flips(const DelaunayGraph& graph, Index k, const Deadline
   // Read off around a vertex: flips leave nothing to keep up to date.
   const auto degree = [](const TriangleMesh& m, HalfEdgeId h) {
     Index count = 0;
-    HalfEdgeId at = h;
-    do {
-      ++count;
-      at = m.rotate_ccw(at);
-    } while (at.valid() && at != h);
-    if (at == h) return count;
-    for (at = m.rotate_cw(h); at.valid(); at = m.rotate_cw(at)) ++count;
-    return count + 1;  // the last boundary edge is nobody's outgoing half-edge
+    for_each_neighbour_around(m, h, [&](VertexId) { ++count; });
+    return count;
   };
   const auto better = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral&) {
     const HalfEdgeId twin = m.twin(h);
@@ -165,6 +170,47 @@ void reduce_degrees_by_flips(const DelaunayGraph& graph, Index k, const Deadline
     return others + 1 < ends;
   };
   Flipper(graph, k, better, mesh).run(deadline);
+}
+
+void remove_extrema_by_flips(const DelaunayGraph& graph, const Heights& heights,
+                             Objective objective, const Buffer<bool>& kept, Index k,
+                             const Deadline& deadline, TriangleMesh& mesh) {
+  const auto lowers_kept = [&](VertexId u, VertexId v) {
+    return kept[heights.lower(u, v) ? v : u];
+  };
+  const auto to_the_last = [&](const TriangleMesh&, HalfEdgeId, const Quadrilateral& q) {
+    const Extremum kind = counts_minima(objective) ? Extremum::minimum : Extremum::maximum;
+    const auto further = [&](VertexId u, VertexId v) {
+      return heights.removes(u, v, kind) ? u : v;
+    };
+    const VertexId last = further(q.c, q.d);
+    return further(last, further(q.a, q.b)) == last && !lowers_kept(q.c, q.d);
+  };
+  const auto fewer = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral& q) {
+    if (lowers_kept(q.c, q.d)) return false;
+    const HalfEdgeId twin = m.twin(h);
+    const std::array<HalfEdgeId, 4> from{h, twin, TriangleMesh::prev(h), TriangleMesh::prev(twin)};
+    int gained = 0;
+    for (const Extremum kind : kExtrema) {
+      // Whether the corner is an extremum but for one neighbour, which it may lose or gain.
+      const auto is_extremum = [&](HalfEdgeId corner, VertexId but_for) {
+        bool is = true;
+        for_each_neighbour_around(m, corner, [&](VertexId v) {
+          is &= v == but_for || !heights.removes(v, m.origin(corner), kind);
+        });
+        return is;
+      };
+      gained -= is_extremum(from[0], q.b) && heights.removes(q.b, q.a, kind);
+      gained -= is_extremum(from[1], q.a) && heights.removes(q.a, q.b, kind);
+      gained += is_extremum(from[2], q.d) && heights.removes(q.d, q.c, kind);
+      gained += is_extremum(from[3], q.c) && heights.removes(q.c, q.d, kind);
+    }
+    return gained > 0;
+  };
+  if (objective == Objective::min_local_extrema)
+    Flipper(graph, k, fewer, mesh).run(deadline);
+  else
+    Flipper(graph, k, to_the_last, mesh).run(deadline);
 }
 
 }  // namespace hodt

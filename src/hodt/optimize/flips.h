@@ -3,6 +3,7 @@
 
 #include "hodt/base/deadline.h"
 #include "hodt/optimize/edge_measures.h"
+#include "hodt/optimize/heights.h"
 #include "hodt/optimize/measures.h"
 #include "hodt/order/delaunay_graph.h"
 
@@ -23,5 +24,13 @@ void improve_by_flips(const DelaunayGraph& graph, const EdgeValues& values, Inde
 /// smaller with each flip.
 void reduce_degrees_by_flips(const DelaunayGraph& graph, Index k, const Deadline& deadline,
                              TriangleMesh& mesh);
+
+/// The same for extrema: the flip heuristic of de Kok, van Kreveld and Löffler (2007). For local
+/// minima a quadrilateral gets the diagonal at its lowest corner, which takes no lower neighbour
+/// from anybody else, for maxima that at its highest; for both a flip has to leave fewer extrema.
+/// `kept`: minima that stay, a flag for every vertex.
+void remove_extrema_by_flips(const DelaunayGraph& graph, const Heights& heights,
+                             Objective objective, const Buffer<bool>& kept, Index k,
+                             const Deadline& deadline, TriangleMesh& mesh);
 
 }  // namespace hodt

@@ -109,13 +109,11 @@ Method method_from_name(std::string_view name) {
 }
 
 void check_method(Method method, Objective objective) {
-  const bool is_greedy_for_extrema = method != Method::greedy || counts_extrema(objective);
-  const bool is_flip_for_others = method != Method::flip || !counts_extrema(objective);
-  if (objective == Objective::none || (is_greedy_for_extrema && is_flip_for_others)) return;
-  throw ParameterError(fmt::format(
-      "the method {} is not one for {}: greedy is for local minima, maxima and extrema, flip for "
-      "measures and degrees; auto and exact are for all",
-      name_in(kMethods, method), name_of(objective)));
+  if (method != Method::greedy || objective == Objective::none || counts_extrema(objective)) return;
+  throw ParameterError(
+      fmt::format("the method {} is not one for {}: it is for local minima, maxima and extrema; "
+                  "auto, flip and exact are for all",
+                  name_in(kMethods, method), name_of(objective)));
 }
 
 std::string measure_names() {

@@ -55,7 +55,7 @@ struct Objective {
 enum class Method {
   automatic,  ///< the best there is, with limited work
   greedy,     ///< independent hulls (Theorem 8); for minima, maxima and extrema
-  flip,       ///< flips that improve, as long as there are any; for measures and degrees
+  flip,       ///< flips that improve, as long as there are any
   exact,      ///< as automatic, but searching on until the best is proven, or far longer
 };
 

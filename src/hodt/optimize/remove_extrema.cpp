@@ -8,6 +8,7 @@
 
 #include "hodt/optimize/edge_owners.h"
 #include "hodt/optimize/extrema_targets.h"
+#include "hodt/optimize/flips.h"
 #include "hodt/optimize/heights.h"
 #include "hodt/optimize/ranks.h"
 #include "hodt/optimize/removing_edges.h"
@@ -46,11 +47,12 @@ class Remover {
   void tell(std::string_view phase) const {
     if (problem_.progress) problem_.progress(phase, -1);
   }
-  void find_extrema();
+  void find_extrema(const TriangleMesh& mesh);
   bool add_extrema();
   std::size_t extrema() const;
   std::size_t bound() const;
 
+  ExtremaSolution flipped(std::size_t before);
   void greedy();
   bool accept_if_better(ConstrainedTriangulation::Moment since);
   void choose();
@@ -77,11 +79,14 @@ class Remover {
 };
 
 ExtremaSolution Remover::run() {
-  find_extrema();
+  find_extrema(graph_.mesh);
+  for (Index i = 0; i < problem_.keep.size(); ++i)
+    kept_[i] = problem_.keep[i] && (state_[i] & bit(Extremum::minimum));
   add_extrema();
   const std::size_t before = targets_.size();
   tell("useful edges");
   targets_.find_edges();
+  if (problem_.method == Method::flip) return flipped(before);
   tell("independent hulls");
   greedy();
   if (problem_.method != Method::greedy && extrema() > bound()) choose();
@@ -90,6 +95,19 @@ ExtremaSolution Remover::run() {
           .delaunay = before,
           .result = after,
           .bound = proven};
+}
+
+/// By another heuristic, from the Delaunay triangulation.
+ExtremaSolution Remover::flipped(std::size_t before) {
+  tell("flips");
+  TriangleMesh mesh = graph_.mesh;
+  remove_extrema_by_flips(graph_, heights_, problem_.objective, kept_, problem_.order,
+                          problem_.deadline, mesh);
+  find_extrema(mesh);
+  return {.change = MeshChange(std::move(mesh)),
+          .delaunay = before,
+          .result = extrema(),
+          .bound = bound()};
 }
 
 std::size_t Remover::extrema() const {
@@ -120,8 +138,8 @@ State Remover::state_of(VertexId v) const {
   return state;
 }
 
-void Remover::find_extrema() {
-  const Buffer<Ranks> ranks = ranks_of(graph_.mesh, heights_);
+void Remover::find_extrema(const TriangleMesh& mesh) {
+  const Buffer<Ranks> ranks = ranks_of(mesh, heights_);
   for (Index i = 0; i < state_.size(); ++i) {
     state_[i] = 0;
     if (counts_minima(problem_.objective) && ranks[i].is_extremum(Extremum::minimum))
@@ -129,8 +147,6 @@ void Remover::find_extrema() {
     if (counts_maxima(problem_.objective) && ranks[i].is_extremum(Extremum::maximum))
       state_[i] |= bit(Extremum::maximum);
   }
-  for (Index i = 0; i < problem_.keep.size(); ++i)
-    kept_[i] = problem_.keep[i] && ranks[i].is_extremum(Extremum::minimum);
 }
 
 /// Makes all extrema of the triangulation targets. Whether any was none before.

@@ -28,7 +28,8 @@ struct ExtremaProblem {
 
 /// Removes extrema by useful edges from each to a lower (higher) vertex: first those of the
 /// smallest order whose hulls are apart (Theorem 8); then, unless the method is greedy or no more
-/// can go, by the best choice of edges that do not cross. The mesh has order at most problem.order.
+/// can go, by the best choice of edges that do not cross; or by flips. The mesh has order at most
+/// problem.order.
 /// docs/design/remove-extrema.md explains the choice and the bound.
 ExtremaSolution remove_extrema(const ExtremaProblem& problem);
 
