@@ -158,7 +158,9 @@ void add_triangulate(CLI::App& app, Action& action) {
       .add_option("--objective", arguments->objective,
                   "What to optimise (default: min-local-minima)")
       ->type_name("OBJ");
-  command.add_option("--method", arguments->method, "auto, greedy, flip or exact (default: auto)")
+  command
+      .add_option("--method", arguments->method,
+                  "auto, greedy (for extrema), flip or exact (default: auto)")
       ->type_name("M");
   command
       .add_option("--time-limit", arguments->time_limit,
