@@ -2,30 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "../support/convert.h"
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 
+#include "hodt/optimize/degree_bound.h"
 #include "hodt/order/triangulation_order.h"
 
 namespace hodt {
 namespace {
 
+std::vector<int> degrees(const oracle::Triangles& triangles, int n) {
+  std::vector<std::set<int>> neighbours(n);
+  for (const auto& corners : triangles)
+    for (const int u : corners)
+      for (const int v : corners)
+        if (u != v) neighbours[u].insert(v);
+  std::vector<int> all;
+  for (const auto& each : neighbours) all.push_back(int(each.size()));
+  return all;
+}
+
 int max_degree(const oracle::Triangles& triangles, int n) {
-  std::vector<std::vector<int>> neighbours(n);
-  for (const auto& t : triangles)
-    for (int i = 0; i < 3; ++i) {
-      neighbours[t[i]].push_back(t[(i + 1) % 3]);
-      neighbours[t[i]].push_back(t[(i + 2) % 3]);
-    }
-  std::size_t most = 0;
-  for (auto& list : neighbours) {
-    std::sort(list.begin(), list.end());
-    most = std::max<std::size_t>(most, std::unique(list.begin(), list.end()) - list.begin());
-  }
-  return int(most);
+  return std::ranges::max(degrees(triangles, n));
 }
 
 class DegreeFamilies : public testing::TestWithParam<families::Family> {};
@@ -55,6 +57,32 @@ TEST_P(DegreeFamilies, equal_all_triangulations) {
       }
     }
   }
+}
+
+/// The vertex that is worst off, if all others are of no account.
+TEST_P(DegreeFamilies, bound_is_what_single_vertices_need) {
+  int tight = 0, sets = 0;
+  for (const int n : {5, 7, 9}) {
+    const Delaunay d = delaunay(support::to_point_set(GetParam().make(n, 70)));
+    const DelaunayGraph graph(d);
+    const oracle::Instance instance(support::to_oracle(d.vertices.xy));
+    const oracle::Catalogue catalogue(instance);
+    for (const int k : {0, 1, 2, 3, 4}) {
+      std::vector<int> least(instance.size(), n);
+      for (const auto& t : catalogue.triangulations()) {
+        if (t.order > k) continue;
+        const std::vector<int> all = degrees(t.triangles, instance.size());
+        for (int v = 0; v < instance.size(); ++v) least[v] = std::min(least[v], all[v]);
+      }
+      const int expected = std::ranges::max(least);
+      const int bound = int(degree_bound(graph, Index(k), 1));
+      EXPECT_LE(bound, expected) << support::to_source(d.vertices.xy) << ' ' << k;
+      EXPECT_EQ(degree_bound(graph, Index(k), Index(expected + 1)), Index(expected + 1));
+      tight += bound == expected;
+      ++sets;
+    }
+  }
+  EXPECT_GE(10 * tight, 9 * sets);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DegreeFamilies, testing::ValuesIn(families::all()),

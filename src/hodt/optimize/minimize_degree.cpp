@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "hodt/optimize/degree_bound.h"
 #include "hodt/optimize/degree_choices.h"
 #include "hodt/optimize/flips.h"
 #include "hodt/order/first_order.h"
@@ -12,6 +13,9 @@
 namespace hodt {
 
 namespace {
+
+/// Up to it, flips are tried at every order.
+constexpr Index kStepwise = 16;
 
 /// Every edge once: as a half-edge on the boundary, or the smaller of the two.
 template <class F>
@@ -93,8 +97,12 @@ MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
   MeshChange change(std::move(flips));
   TriangleMesh mesh = change.applied_to(graph.mesh);
   if (order > 1) {
-    bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
+    // From order to order: what is good at one is a good start at the next, and never lost.
+    for (Index k = 2; k < std::min(order, kStepwise); ++k)
+      reduce_degrees_by_flips(graph, k, deadline, mesh);
     reduce_degrees_by_flips(graph, order, deadline, mesh);
+    bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
+    if (bound < largest(degrees_of(mesh))) bound = degree_bound(graph, order, bound);
   }
   const Index result = largest(degrees_of(mesh));
   if (order > 1) change = MeshChange(std::move(mesh));

@@ -1,0 +1,13 @@
+// How small the largest degree of a triangulation of order k can be at best.
+#pragma once
+
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+/// No triangulation of the order has a smaller largest degree. The triangles at a vertex are valid,
+/// and go once around it (at the hull, from side to side): the fewest that do are a bound for its
+/// degree, alone. `known`: some bound.
+Index degree_bound(const DelaunayGraph& graph, Index order, Index known);
+
+}  // namespace hodt
