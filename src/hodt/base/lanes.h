@@ -21,13 +21,6 @@
 
 namespace hodt {
 
-/// Asks for memory that is to be read soon.
-HODT_INLINE void prefetch(const void* memory) {
-#ifdef __GNUC__
-  __builtin_prefetch(memory);
-#endif
-}
-
 template <Index N>
 struct Lanes {
   using Floats [[gnu::vector_size(N * sizeof(float))]] = float;

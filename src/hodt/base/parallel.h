@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace hodt {
@@ -67,7 +69,8 @@ class Collector {
     all_.clear();
     all_.reserve(total);
     for (std::size_t i = 0; i < pieces; ++i)
-      all_.insert(all_.end(), found_[i].begin(), found_[i].end());
+      all_.insert(all_.end(), std::make_move_iterator(found_[i].begin()),
+                  std::make_move_iterator(found_[i].end()));
     return all_;
   }
 
@@ -111,6 +114,17 @@ void parallel_invoke(const F& f, const G& g) {
   plain_threads::parallel_invoke(f, g);
 #else
   tbb::parallel_invoke(f, g);
+#endif
+}
+
+/// Runs f so that a thread which waits for parallel work in it takes up no work from outside, which
+/// could ask for what f holds.
+template <class F>
+void isolated(const F& f) {
+#ifdef HODT_PLAIN_THREADS
+  f();
+#else
+  tbb::this_task_arena::isolate(f);
 #endif
 }
 

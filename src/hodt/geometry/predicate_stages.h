@@ -107,6 +107,26 @@ class CircleFilter {
   double bound_, bound_per_r_;
 };
 
+/// What several of them, all of which have to be positive, tell together. Without branches, for
+/// loops over many.
+class AllPositive {
+ public:
+  void add(const Filtered& f) {
+    const double l = f.value - f.bound, h = f.value + f.bound;
+    low_ = l < low_ ? l : low_;
+    high_ = h < high_ ? h : high_;
+    size_ += std::fabs(f.value);
+  }
+  bool is_certain() const { return (low_ > 0) & is_finite(); }
+  bool is_impossible() const { return (high_ < 0) & is_finite(); }
+
+ private:
+  bool is_finite() const { return size_ <= DBL_MAX; }
+
+  double low_ = DBL_MAX, high_ = DBL_MAX;  // the least of them is between these
+  double size_ = 0;                        // infinite or not a number if any of them is
+};
+
 // ---- Stage 2: ties of the kind that rasters are full of. ----
 
 /// Whether the four points are the corners of a rectangle with sides along the axes, in any order:

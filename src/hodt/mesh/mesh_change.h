@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hodt/base/lanes.h"
+#include "hodt/base/prefetch.h"
 #include "hodt/mesh/triangle_mesh.h"
 
 namespace hodt {

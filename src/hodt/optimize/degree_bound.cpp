@@ -53,11 +53,18 @@ class FewestAround {
                          neighbours_.begin());
     };
     onward_.resize(neighbours_.size());
-    for (const Arc& arc : arcs) onward_[place(arc.from)].push_back(place(arc.to));
+    // Once around, one arc passes from the last places to the first ones.
+    std::vector<std::size_t> starts;
+    for (const Arc& arc : arcs) {
+      const std::size_t from_place = place(arc.from), to_place = place(arc.to);
+      onward_[from_place].push_back(to_place);
+      if (to_place < from_place) starts.push_back(from_place);
+    }
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
     const HalfEdgeId first = graph.outgoing[v];
     if (!graph.mesh.is_boundary(first)) {
-      for (std::size_t start = 0; start < size(); ++start)
-        fewest_ = std::min(fewest_, from(start, start));
+      for (const std::size_t start : starts) fewest_ = std::min(fewest_, from(start, start));
       return;
     }
     HalfEdgeId last = first;
@@ -94,7 +101,7 @@ class FewestAround {
 
 }  // namespace
 
-Index degree_bound(const DelaunayGraph& graph, Index order, Index known) {
+Index degree_bound(const DelaunayGraph& graph, Index order, Index known, const Deadline& deadline) {
   // The Delaunay triangles go around as well: no vertex is of use whose degree is not above what
   // is known.
   const TriangleMesh& mesh = graph.mesh;
@@ -107,6 +114,7 @@ Index degree_bound(const DelaunayGraph& graph, Index order, Index known) {
     number[v] = static_cast<Index>(candidates.size());
     candidates.emplace_back(degree, VertexId(v));
   }
+  if (candidates.empty() || deadline.passed()) return known;
   std::vector<std::vector<Arc>> arcs(candidates.size());
   const auto add = [&](VertexId v, VertexId from, VertexId to) {
     if (number[v] != kNone) arcs[number[v]].push_back({from, to});
@@ -126,7 +134,7 @@ Index degree_bound(const DelaunayGraph& graph, Index order, Index known) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [degree, v] : candidates)
-    if (degree > known)
+    if (degree > known && !deadline.passed())
       known = std::max(known, Index(FewestAround(graph, v, arcs[number[v]]).degree()));
   return known;
 }

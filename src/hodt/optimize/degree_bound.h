@@ -1,13 +1,15 @@
 // How small the largest degree of a triangulation of order k can be at best.
 #pragma once
 
+#include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
 
 /// No triangulation of the order has a smaller largest degree. The triangles at a vertex are valid,
 /// and go once around it (at the hull, from side to side): the fewest that do are a bound for its
-/// degree, alone. `known`: some bound.
-Index degree_bound(const DelaunayGraph& graph, Index order, Index known);
+/// degree, alone. `known`: some bound, which is all there is if the deadline has passed.
+Index degree_bound(const DelaunayGraph& graph, Index order, Index known,
+                   const Deadline& deadline = {});
 
 }  // namespace hodt

@@ -33,15 +33,25 @@ class Flipper {
         counter_(graph),
         queued_(mesh.halfedge_count(), false) {}
 
-  void run(const Deadline& deadline) {
+  /// Returns whether there was any.
+  bool run(const Deadline& deadline) {
+    bool any = false;
     for (Index h = 0; h < mesh_.halfedge_count(); ++h) push(HalfEdgeId(h));
     for (std::size_t steps = 0; !queue_.empty(); ++steps) {
-      if (steps % 1024 == 0 && deadline.passed()) return;
+      if (steps % 1024 == 0 && deadline.passed()) return false;
       const HalfEdgeId h = queue_.back();
       queue_.pop_back();
       queued_[h] = false;
-      if (improves(h)) flip(h);
+      if (!improves(h)) continue;
+      flip(h);
+      any = true;
     }
+    return any;
+  }
+  /// For what depends on all that is around the corners, where a flip can make another one better
+  /// that is further away than run() looks.
+  void run_to_the_end(const Deadline& deadline) {
+    while (run(deadline)) continue;
   }
 
  private:
@@ -169,7 +179,7 @@ void reduce_degrees_by_flips(const DelaunayGraph& graph, Index k, const Deadline
         std::max(degree(m, TriangleMesh::prev(h)), degree(m, TriangleMesh::prev(twin)));
     return others + 1 < ends;
   };
-  Flipper(graph, k, better, mesh).run(deadline);
+  Flipper(graph, k, better, mesh).run_to_the_end(deadline);
 }
 
 void remove_extrema_by_flips(const DelaunayGraph& graph, const Heights& heights,
@@ -189,26 +199,26 @@ void remove_extrema_by_flips(const DelaunayGraph& graph, const Heights& heights,
   const auto fewer = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral& q) {
     if (lowers_kept(q.c, q.d)) return false;
     const HalfEdgeId twin = m.twin(h);
-    const std::array<HalfEdgeId, 4> from{h, twin, TriangleMesh::prev(h), TriangleMesh::prev(twin)};
     int gained = 0;
     for (const Extremum kind : kExtrema) {
-      // Whether the corner is an extremum but for one neighbour, which it may lose or gain.
-      const auto is_extremum = [&](HalfEdgeId corner, VertexId but_for) {
-        bool is = true;
-        for_each_neighbour_around(m, corner, [&](VertexId v) {
-          is &= v == but_for || !heights.removes(v, m.origin(corner), kind);
+      // Whether v, which the origin of `corner` loses or gains, is all that removes it.
+      const auto is_sole_remover = [&](VertexId v, HalfEdgeId corner) {
+        if (!heights.removes(v, m.origin(corner), kind)) return false;
+        bool is_sole = true;
+        for_each_neighbour_around(m, corner, [&](VertexId w) {
+          is_sole &= w == v || !heights.removes(w, m.origin(corner), kind);
         });
-        return is;
+        return is_sole;
       };
-      gained -= is_extremum(from[0], q.b) && heights.removes(q.b, q.a, kind);
-      gained -= is_extremum(from[1], q.a) && heights.removes(q.a, q.b, kind);
-      gained += is_extremum(from[2], q.d) && heights.removes(q.d, q.c, kind);
-      gained += is_extremum(from[3], q.c) && heights.removes(q.c, q.d, kind);
+      gained -= is_sole_remover(q.b, h);
+      gained -= is_sole_remover(q.a, twin);
+      gained += is_sole_remover(q.d, TriangleMesh::prev(h));
+      gained += is_sole_remover(q.c, TriangleMesh::prev(twin));
     }
     return gained > 0;
   };
   if (objective == Objective::min_local_extrema)
-    Flipper(graph, k, fewer, mesh).run(deadline);
+    Flipper(graph, k, fewer, mesh).run_to_the_end(deadline);
   else
     Flipper(graph, k, to_the_last, mesh).run(deadline);
 }

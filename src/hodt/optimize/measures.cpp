@@ -7,6 +7,7 @@
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
+#include "hodt/base/prefetch.h"
 #include "hodt/mesh/boundary.h"
 #include "hodt/optimize/angle.h"
 

@@ -16,6 +16,9 @@ namespace {
 
 /// Up to it, flips are tried at every order.
 constexpr Index kStepwise = 16;
+/// Beyond it there are too many triangles to look at, and hardly a vertex needs more than the
+/// average.
+constexpr Index kMostForBound = 64;
 
 /// Every edge once: as a half-edge on the boundary, or the smaller of the two.
 template <class F>
@@ -98,11 +101,12 @@ MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
   TriangleMesh mesh = change.applied_to(graph.mesh);
   if (order > 1) {
     // From order to order: what is good at one is a good start at the next, and never lost.
-    for (Index k = 2; k < std::min(order, kStepwise); ++k)
+    for (Index k = 2; k < std::min(order, kStepwise) && !deadline.passed(); ++k)
       reduce_degrees_by_flips(graph, k, deadline, mesh);
     reduce_degrees_by_flips(graph, order, deadline, mesh);
     bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
-    if (bound < largest(degrees_of(mesh))) bound = degree_bound(graph, order, bound);
+    if (bound < largest(degrees_of(mesh)) && order <= kMostForBound)
+      bound = degree_bound(graph, order, bound, deadline);
   }
   const Index result = largest(degrees_of(mesh));
   if (order > 1) change = MeshChange(std::move(mesh));

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
 #include "hodt/optimize/choices.h"
 #include "hodt/optimize/edge_bound.h"

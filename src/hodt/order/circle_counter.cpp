@@ -83,7 +83,7 @@ bool SoleInside::holds_origin_only(const std::array<VertexId, 3>& corners, HalfE
 
 CircleCounter& SoleInside::past_hubs() {
   std::call_once(is_listed_, [&] {
-    if (!graph_.has_hubs()) listed_.emplace(graph_).list_neighbours();
+    if (!graph_.has_hubs()) isolated([&] { listed_.emplace(graph_).list_neighbours(); });
     counters_.emplace([this] { return CircleCounter(listed_ ? *listed_ : graph_); });
   });
   return counters_->mine();

@@ -41,7 +41,7 @@ class Finder {
       const HalfEdgeId h(TriangleMesh::halfedge(t) + e), twin = graph_.mesh.twin(h);
       edges_[size_] = h;
       size_ += std::size_t(h < twin) & std::size_t(twin.valid()) &
-               std::size_t(nearest_.from_inside(t, e) != NearestBeyond::kInside);
+               std::size_t(!nearest_.rule_out_from_inside(t, e));
     }
   }
   void take_flippable();
@@ -61,7 +61,7 @@ void Finder::take_flippable() {
   std::size_t possible = 0;
   for (std::size_t i = 0; i < size_; ++i) {
     edges_[possible] = edges_[i];
-    possible += std::size_t(nearest_.from_outside(edges_[i]) != NearestBeyond::kInside);
+    possible += std::size_t(!nearest_.rule_out_from_outside(edges_[i]));
   }
   size_ = 0;
   if (keep_wanted_) possible = keep_wanted_({edges_.data(), possible});

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cfloat>
-#include <cmath>
 
 #include "hodt/base/lanes.h"
 #include "hodt/geometry/predicates.h"
@@ -21,8 +19,7 @@ class Block {
 
   void judge(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges);
   Verdict verdict(std::size_t i) const {
-    if (!(size_[i] <= DBL_MAX)) return kUnknown;
-    return high_[i] < 0 ? kNo : low_[i] > 0 && is_complete_[i] ? kYes : kUnknown;
+    return is_impossible_[i] > 0 ? kNo : is_certain_[i] > 0 && is_complete_[i] ? kYes : kUnknown;
   }
 
  private:
@@ -50,7 +47,8 @@ class Block {
   std::array<std::array<double, kSize>, kPlaces> x_, y_;
   Walk around_origin_, around_target_;
   std::array<bool, kSize> is_complete_;
-  std::array<double, kSize> low_, high_, size_;
+  // Numbers like those that they come from, else the loop does not become vector code.
+  std::array<double, kSize> is_certain_, is_impossible_;
 };
 
 void Block::judge(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges) {
@@ -103,27 +101,19 @@ void Block::step(const DelaunayGraph& graph, Walk& walk, int place, std::size_t 
 void Block::judge(std::size_t size) {
   run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
     for (std::size_t i = 0; i < size; ++i) {
-      // The least of what has to be positive is between these.
-      double low = DBL_MAX, high = DBL_MAX, sum = 0;
-      const auto add = [&](const exact::Filtered& f) HODT_INLINE_LAMBDA {
-        const double l = f.value - f.bound, h = f.value + f.bound;
-        low = l < low ? l : low;
-        high = h < high ? h : high;
-        sum += std::fabs(f.value);
-      };
+      exact::AllPositive all;
       const auto ask = [&](Place kept, Place left, Place right, Place lost,
                            int neighbours) HODT_INLINE_LAMBDA {
-        add(exact::orient_rounded(at(left, i), at(right, i), at(kept, i)));
+        all.add(exact::orient_rounded(at(left, i), at(right, i), at(kept, i)));
         const exact::CircleFilter circle(at(kept, i), at(left, i), at(right, i));
         const auto [value, bound] = circle(at(lost, i));
-        add({-value, bound});
-        for (int n = 0; n < kNeighbours; ++n) add(circle(at(neighbours + n, i)));
+        all.add({-value, bound});
+        for (int n = 0; n < kNeighbours; ++n) all.add(circle(at(neighbours + n, i)));
       };
       ask(kTarget, kLeft, kRight, kOrigin, kAtOrigin);
       ask(kOrigin, kRight, kLeft, kTarget, kAtTarget);
-      low_[i] = low;
-      high_[i] = high;
-      size_[i] = sum;
+      is_certain_[i] = all.is_certain() ? 1 : 0;
+      is_impossible_[i] = all.is_impossible() ? 1 : 0;
     }
   });
 }

@@ -20,10 +20,9 @@ namespace hodt {
 ///                     / u \              .
 ///            beyond_us      beyond_yu
 ///
-/// Rounded arithmetic tells nearly always. Holds scratch memory for one thread.
+/// As far as rounded arithmetic tells, which is nearly always. Holds scratch memory for one thread.
 class NearestBeyond {
  public:
-  enum Verdict : std::uint8_t { kInside, kUnknown, kOutside };
   static constexpr std::size_t kMostTriangles = 1 << 13;
 
   explicit NearestBeyond(const DelaunayGraph& graph) : graph_(graph) {}
@@ -31,22 +30,22 @@ class NearestBeyond {
   /// Takes up the triangles from `first` on, kMostTriangles at most.
   void judge(std::size_t first, std::size_t count);
 
-  /// Across the edge e of a triangle, which is one of these, by the points beyond its other edges.
-  /// kUnknown on the boundary.
-  Verdict from_inside(std::size_t triangle, Index e) const {
-    return static_cast<Verdict>(verdicts_[triangle - first_] >> (2 * e) & 3);
+  /// Whether they rule out the flip of the edge e of a triangle, which is one of these: those
+  /// beyond the triangle's other edges. Never on the boundary.
+  bool rule_out_from_inside(std::size_t triangle, Index e) const {
+    return (ruled_out_[triangle - first_] >> e & 1) != 0;
   }
-  /// From the other side, if that is one of these triangles.
-  Verdict from_outside(HalfEdgeId h) const {
+  /// Those on the other side of the edge, if the triangle there is one of these.
+  bool rule_out_from_outside(HalfEdgeId h) const {
     const HalfEdgeId twin = graph_.mesh.twin(h);
     const TriangleId t = TriangleMesh::triangle(twin);
-    return t - first_ < count_ ? from_inside(t, twin - 3 * t) : kUnknown;
+    return t - first_ < count_ && rule_out_from_inside(t, twin - 3 * t);
   }
 
  private:
   const DelaunayGraph& graph_;
   std::size_t first_ = 0, count_ = 0;
-  std::array<std::uint8_t, kMostTriangles> verdicts_;  // of three half-edges, two bits each
+  std::array<std::uint8_t, kMostTriangles> ruled_out_;  // of three half-edges, a bit each
 };
 
 }  // namespace hodt

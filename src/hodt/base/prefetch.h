@@ -1,0 +1,15 @@
+// Memory that is to be read soon.
+#pragma once
+
+namespace hodt {
+
+/// Asks for it, so that it is there by then. Where it is not at all, nothing happens.
+inline void prefetch(const void* memory) {
+#ifdef __GNUC__
+  __builtin_prefetch(memory);
+#else
+  static_cast<void>(memory);
+#endif
+}
+
+}  // namespace hodt
