@@ -68,25 +68,27 @@ class Optimizer {
   MeasuredSolution solution_;
   Buffer<Gradient> gradients_;  // of the triangles
   // The first one stands for none.
-  std::vector<Quadrilateral> quadrilaterals_;
+  Buffer<Quadrilateral> quadrilaterals_;
   Buffer<Index> quadrilateral_;  // that a triangle is in, or kClosed
 };
 
 void Optimizer::find_quadrilaterals() {
   gradients_ = values_.gradients(delaunay_);
   quadrilateral_ = Buffer<Index>(delaunay_.triangle_count(), kClosed);
-  quadrilaterals_.resize(1);
-  if (problem_.order == 0) return;
-  const std::vector<HalfEdgeId> flippable = first_order_edges(graph_);
-  quadrilaterals_.reserve(1 + flippable.size());
-  for (const HalfEdgeId h : flippable) {
-    const HalfEdgeId twin = delaunay_.twin(h);
-    const VertexId a = delaunay_.origin(h), b = delaunay_.origin(twin);
-    const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
-    quadrilateral_[TriangleMesh::triangle(h)] = quadrilateral_[TriangleMesh::triangle(twin)] =
-        static_cast<Index>(quadrilaterals_.size());
-    quadrilaterals_.push_back({h, twin, {values_.gradient(a, d, c), values_.gradient(b, c, d)}});
-  }
+  std::vector<HalfEdgeId> flippable;
+  if (problem_.order > 0) flippable = first_order_edges(graph_);
+  quadrilaterals_ = Buffer<Quadrilateral>(1 + flippable.size());
+  quadrilaterals_[kClosed] = {};
+  parallel_for(0, flippable.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const HalfEdgeId h = flippable[i], twin = delaunay_.twin(h);
+      const VertexId a = delaunay_.origin(h), b = delaunay_.origin(twin);
+      const VertexId c = delaunay_.apex(h), d = delaunay_.apex(twin);
+      quadrilaterals_[1 + i] = {h, twin, {values_.gradient(a, d, c), values_.gradient(b, c, d)}};
+      quadrilateral_[TriangleMesh::triangle(h)] = quadrilateral_[TriangleMesh::triangle(twin)] =
+          static_cast<Index>(1 + i);
+    }
+  });
 }
 
 /// The costs of edges that are no diagonals. How many quadrilaterals are at an edge is a matter of
@@ -202,24 +204,27 @@ double Optimizer::add_costs(Choices& choices) const {
 }
 
 void Optimizer::add_diagonals(Choices& choices) const {
-  ManyEdges many(values_);
-  for (Index begin = 1; begin < quadrilaterals_.size(); begin += ManyEdges::kSize) {
-    const auto size =
-        static_cast<Index>(std::min(ManyEdges::kSize, quadrilaterals_.size() - begin));
-    for (Index i = 0; i < size; ++i) {
-      const auto& [h, twin, flipped] = quadrilaterals_[begin + i];
-      const Gradient &f = gradients_[TriangleMesh::triangle(h)],
-                     &g = gradients_[TriangleMesh::triangle(twin)];
-      many.set(i, delaunay_.origin(h), delaunay_.origin(twin), {f, f}, {g, g});
+  Buffer<SingleCosts> costs(quadrilaterals_.size());
+  parallel_for(1, costs.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
+    ManyEdges many(values_);
+    for (std::size_t begin = first; begin < last; begin += ManyEdges::kSize) {
+      const std::size_t size = std::min(ManyEdges::kSize, last - begin);
+      for (std::size_t i = 0; i < size; ++i) {
+        const auto& [h, twin, flipped] = quadrilaterals_[begin + i];
+        const Gradient &f = gradients_[TriangleMesh::triangle(h)],
+                       &g = gradients_[TriangleMesh::triangle(twin)];
+        many.set(i, delaunay_.origin(h), delaunay_.origin(twin), {f, f}, {g, g});
+      }
+      const double* const now = many.measure(size, 0, 0);
+      for (std::size_t i = 0; i < size; ++i) {
+        const auto& [h, twin, flipped] = quadrilaterals_[begin + i];
+        many.set(i, delaunay_.apex(h), delaunay_.apex(twin), flipped, flipped);
+      }
+      const double* const flipped = many.measure(size, 0, 1);
+      for (std::size_t i = 0; i < size; ++i) costs[begin + i] = {now[i], flipped[i]};
     }
-    const double* const now = many.measure(size, 0, 0);
-    for (Index i = 0; i < size; ++i) {
-      const auto& [h, twin, flipped] = quadrilaterals_[begin + i];
-      many.set(i, delaunay_.apex(h), delaunay_.apex(twin), flipped, flipped);
-    }
-    const double* const flipped = many.measure(size, 0, 1);
-    for (Index i = 0; i < size; ++i) choices.add(choice(begin + i), {now[i], flipped[i]});
-  }
+  });
+  for (Index q = 1; q < costs.size(); ++q) choices.add(choice(q), costs[q]);
 }
 
 void Optimizer::choose_diagonals() {
