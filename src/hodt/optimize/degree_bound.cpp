@@ -1,6 +1,7 @@
 #include "hodt/optimize/degree_bound.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,7 @@ class Around {
 /// neighbour to its last.
 class FewestAround {
  public:
-  FewestAround(const DelaunayGraph& graph, VertexId v, std::vector<Arc>& arcs) {
+  FewestAround(const DelaunayGraph& graph, VertexId v, std::span<const Arc> arcs) {
     const Around around(graph, v);
     for (const Arc& arc : arcs) neighbours_.push_back(arc.from), neighbours_.push_back(arc.to);
     std::sort(neighbours_.begin(), neighbours_.end(), around);

@@ -23,16 +23,6 @@ HalfEdgeId from_lost_corner(const TriangleMesh& mesh, TriangleId t,
   return {};
 }
 
-/// Given the orders of the triangles that are not Delaunay.
-std::vector<std::size_t> histogram_of(const std::vector<Index>& orders, std::size_t triangles) {
-  std::vector<std::size_t> histogram(1, triangles - orders.size());
-  for (const Index order : orders) {
-    if (histogram.size() <= order) histogram.resize(order + 1, 0);
-    ++histogram[order];
-  }
-  return histogram;
-}
-
 void check_apart(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips) {
   Buffer<bool> used(mesh.triangle_count(), false);
   for (const HalfEdgeId h : flips)
@@ -71,14 +61,21 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
     }
   });
 
-  return histogram_of(orders, mesh.triangle_count());
+  std::vector<std::size_t> histogram(1, mesh.triangle_count() - changed.size());
+  for (const Index order : orders) {
+    if (histogram.size() <= order) histogram.resize(order + 1, 0);
+    ++histogram[order];
+  }
+  return histogram;
 }
 
 std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const MeshChange& change) {
   if (change.mesh()) return order_histogram(graph, *change.mesh());
   const std::span<const HalfEdgeId> flips = change.flips();
   check_apart(graph.mesh, flips);
-  return histogram_of(std::vector<Index>(2 * flips.size(), 1), graph.mesh.triangle_count());
+  const std::size_t triangles = graph.mesh.triangle_count(), changed = 2 * flips.size();
+  if (flips.empty()) return {triangles};
+  return {triangles - changed, changed};
 }
 
 }  // namespace hodt
