@@ -1,5 +1,5 @@
 // hodt voronoi: the cells of the order-m Voronoi diagram.
-#include "hodt/order/voronoi.h"
+#include "hodt/order/voronoi/voronoi.h"
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +14,7 @@
 #include "hodt/io/atomic_write.h"
 #include "hodt/io/geojson.h"
 #include "hodt/io/point_file.h"
-#include "hodt/order/voronoi_polygons.h"
+#include "hodt/order/voronoi/voronoi_polygons.h"
 
 namespace hodt::app {
 

@@ -4,8 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "hodt/order/voronoi.h"
-#include "hodt/order/voronoi_polygons.h"
+#include "hodt/order/voronoi/voronoi.h"
+#include "hodt/order/voronoi/voronoi_polygons.h"
 
 namespace {
 

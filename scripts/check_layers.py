@@ -5,7 +5,8 @@
     scripts/check_layers.py --self-test  check that the check can fail
 
 A layer may include itself and the layers that it links in src/hodt/CMakeLists.txt, directly or
-through others. Only io names zlib. No file tells where it was written: an absolute path into
+through others. A room, which is a folder of a layer, may include of that layer only itself and what
+its line there names. Only io names zlib. No file tells where it was written: an absolute path into
 somebody's home or workplace is of no use to anyone else.
 
 Prints each violation as file:line: what is wrong, and exits 1 if there is any.
@@ -17,6 +18,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LAYER = re.compile(r"^\s*hodt_layer\(\s*(\w+)([^)]*)\)", re.MULTILINE)
+ROOM = re.compile(r"^\s*hodt_room\(\s*(\w+)/(\w+)([^)]*)\)", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 ABSOLUTE = re.compile(r"(?<![\w./$}~])/(?:home|root|work|workspace|Users|mnt)/\w")
 ZLIB_ONLY_IN = {"io"}
@@ -50,18 +52,48 @@ def check_order(cmake):
         seen.add(match.group(1))
 
 
+def allowed_rooms(cmake):
+    """(layer, room) -> the rooms and headers of the layer that it may include."""
+    rooms = {}
+    for layer, room, rest in ROOM.findall(cmake):
+        rooms[layer, room] = {room, *re.sub(r"^\s*MAY\b", "", rest).split()}
+    return rooms
+
+
+def check_room_order(cmake):
+    """A room names, of the rooms of its layer, only those that stand before it."""
+    rooms = allowed_rooms(cmake)
+    seen = set()
+    for match in ROOM.finditer(cmake):
+        layer, room = match.group(1), match.group(2)
+        for name in rooms[layer, room] - {room}:
+            if (layer, name) in rooms and (layer, name) not in seen:
+                line = cmake.count("\n", 0, match.start()) + 1
+                yield line, f"room {layer}/{room} names {name}, which is not above it"
+        seen.add((layer, room))
+
+
 def layer_of(path):
     """The folder of src/hodt that a path is in, or None."""
     parts = pathlib.PurePosixPath(path).parts
     return parts[2] if len(parts) > 3 and parts[:2] == ("src", "hodt") else None
 
 
-def check_source(path, text, allowed):
+def room_of(path):
+    """The folder of a layer that a path is in, or None."""
+    parts = pathlib.PurePosixPath(path).parts
+    return parts[3] if len(parts) > 4 and parts[:2] == ("src", "hodt") else None
+
+
+def check_source(path, text, allowed, rooms):
     """Yields (line, message) for what a file of a layer includes and must not."""
-    layer = layer_of(path)
+    layer, room = layer_of(path), room_of(path)
     if layer not in allowed:
         if layer is not None:
             yield 1, f"folder {layer} is no layer of src/hodt/CMakeLists.txt"
+        return
+    if room is not None and (layer, room) not in rooms:
+        yield 1, f"folder {layer}/{room} is no room of src/hodt/CMakeLists.txt"
         return
     for number, line in enumerate(text.splitlines(), start=1):
         include = INCLUDE.match(line)
@@ -79,6 +111,11 @@ def check_source(path, text, allowed):
         if other not in allowed[layer]:
             known = ", ".join(sorted(allowed[layer]))
             yield number, f"layer {layer} includes {target}, but may include only: {known}"
+        if room is not None and other == layer:
+            name = rest.split("/")[1].removesuffix(".h")
+            if name not in rooms[layer, room]:
+                known = ", ".join(sorted(rooms[layer, room]))
+                yield number, f"room {layer}/{room} includes {target}, but may include only: {known}"
 
 
 def check_paths(text):
@@ -109,7 +146,8 @@ def check_tree():
     cmake_path = "src/hodt/CMakeLists.txt"
     cmake = (ROOT / cmake_path).read_text()
     violations += [(cmake_path, *found) for found in check_order(cmake)]
-    allowed = allowed_layers(cmake)
+    violations += [(cmake_path, *found) for found in check_room_order(cmake)]
+    allowed, rooms = allowed_layers(cmake), allowed_rooms(cmake)
     for name in tracked_files():
         try:
             text = (ROOT / name).read_text()
@@ -118,7 +156,7 @@ def check_tree():
         if name != "scripts/check_layers.py":
             violations += [(name, *found) for found in check_paths(text)]
         if pathlib.PurePosixPath(name).suffix in SOURCE_SUFFIXES:
-            violations += [(name, *found) for found in check_source(name, text, allowed)]
+            violations += [(name, *found) for found in check_source(name, text, allowed, rooms)]
     for name, line, message in violations:
         print(f"{name}:{line}: {message}")
     return 1 if violations else 0
@@ -129,6 +167,8 @@ def self_test():
 hodt_layer(base LINK TBB::tbb)
 hodt_layer(geometry LINK hodt_base)
 hodt_layer(delaunay LINK hodt_geometry)
+hodt_room(delaunay/sort)
+hodt_room(delaunay/join MAY sort view)
 hodt_layer(io LINK hodt_base ZLIB::ZLIB)
 """
     allowed = allowed_layers(cmake)
@@ -136,10 +176,16 @@ hodt_layer(io LINK hodt_base ZLIB::ZLIB)
     assert allowed["io"] == {"base", "io"}, allowed
     assert list(check_order(cmake)) == []
     upward = cmake + "hodt_layer(a LINK hodt_b)\nhodt_layer(b)\n"
-    assert [line for line, _ in check_order(upward)] == [6]
+    assert [line for line, _ in check_order(upward)] == [8]
+
+    rooms = allowed_rooms(cmake)
+    assert rooms["delaunay", "join"] == {"join", "sort", "view"}, rooms
+    assert list(check_room_order(cmake)) == []
+    upward = "hodt_room(a/b MAY c)\nhodt_room(a/c)\n"
+    assert [line for line, _ in check_room_order(upward)] == [1]
 
     def lines(path, text):
-        return [line for line, _ in check_source(path, text, allowed)]
+        return [line for line, _ in check_source(path, text, allowed, rooms)]
 
     fine = '#include <vector>\n#include "hodt/base/ids.h"\n#include "hodt/delaunay/x.h"\n'
     assert lines("src/hodt/delaunay/x.cpp", fine) == []
@@ -149,6 +195,11 @@ hodt_layer(io LINK hodt_base ZLIB::ZLIB)
     assert lines("src/hodt/base/x.h", '#include "hodt/pipeline.h"\n') == [1]
     assert lines("src/hodt/base/x.h", '#include "app/common.h"\n') == [1]
     assert lines("src/hodt/new/x.h", "") == [1]
+    inside = '#include "hodt/delaunay/sort/x.h"\n#include "hodt/delaunay/view.h"\n'
+    assert lines("src/hodt/delaunay/join/x.h", inside) == []
+    assert lines("src/hodt/delaunay/sort/x.h", inside) == [2]
+    assert lines("src/hodt/delaunay/x.h", inside) == []
+    assert lines("src/hodt/delaunay/new/x.h", "") == [1]
     assert lines("src/hodt/pipeline.cpp", '#include "hodt/io/x.h"\n') == []
     assert lines("tests/io/x_test.cpp", '#include "hodt/io/x.h"\n') == []
 

@@ -15,8 +15,8 @@
 #include "hodt/order/fixed_edges.h"
 #include "hodt/order/hull.h"
 #include "hodt/order/useful_edges.h"
-#include "hodt/order/voronoi.h"
-#include "hodt/order/voronoi_polygons.h"
+#include "hodt/order/voronoi/voronoi.h"
+#include "hodt/order/voronoi/voronoi_polygons.h"
 
 namespace gallery {
 namespace {

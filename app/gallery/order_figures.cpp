@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
-#include "hodt/order/constrained_triangulation.h"
+#include "hodt/order/constrained/constrained_triangulation.h"
 
 namespace gallery {
 namespace {

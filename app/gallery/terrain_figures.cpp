@@ -12,9 +12,9 @@
 #include "scene.h"
 #include <fmt/format.h>
 
-#include "hodt/optimize/first_order_extrema.h"
-#include "hodt/optimize/remove_extrema.h"
-#include "hodt/order/first_order.h"
+#include "hodt/optimize/extrema/first_order_extrema.h"
+#include "hodt/optimize/extrema/remove_extrema.h"
+#include "hodt/order/first_order/first_order.h"
 
 namespace gallery {
 namespace {

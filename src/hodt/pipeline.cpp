@@ -11,7 +11,7 @@
 #include "hodt/base/parallel.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
-#include "hodt/optimize/minima_to_keep.h"
+#include "hodt/hydrology/minima_to_keep.h"
 #include "hodt/optimize/optimize.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"

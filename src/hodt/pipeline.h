@@ -9,8 +9,8 @@
 #include "hodt/base/ids.h"
 #include "hodt/base/progress.h"
 #include "hodt/geometry/point_set.h"
+#include "hodt/hydrology/pit_water.h"
 #include "hodt/optimize/optimize.h"
-#include "hodt/optimize/pit_water.h"
 #include "hodt/tin/extrema.h"
 #include "hodt/tin/tin.h"
 

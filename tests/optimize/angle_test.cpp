@@ -1,4 +1,4 @@
-#include "hodt/optimize/angle.h"
+#include "hodt/optimize/measure/angle.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // Choices that depend on pairs of them, against all there are.
-#include "hodt/optimize/choices.h"
+#include "hodt/optimize/solve/choices.h"
 
 #include <algorithm>
 #include <random>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hodt/optimize/choice_parts.h"
+#include "hodt/optimize/solve/choice_parts.h"
 
 namespace hodt {
 namespace {

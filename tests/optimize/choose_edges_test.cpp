@@ -1,4 +1,4 @@
-#include "hodt/optimize/choose_edges.h"
+#include "hodt/optimize/solve/choose_edges.h"
 
 #include <algorithm>
 #include <bit>

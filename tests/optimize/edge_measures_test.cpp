@@ -1,4 +1,4 @@
-#include "hodt/optimize/edge_measures.h"
+#include "hodt/optimize/measure/edge_measures.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "hodt/optimize/edge_owners.h"
+#include "hodt/optimize/extrema/edge_owners.h"
 
 #include <algorithm>
 #include <vector>

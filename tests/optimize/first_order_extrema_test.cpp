@@ -1,4 +1,4 @@
-#include "hodt/optimize/first_order_extrema.h"
+#include "hodt/optimize/extrema/first_order_extrema.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "hodt/base/parallel.h"
-#include "hodt/optimize/heights.h"
-#include "hodt/optimize/remove_extrema.h"
-#include "hodt/order/first_order.h"
+#include "hodt/geometry/heights.h"
+#include "hodt/optimize/extrema/remove_extrema.h"
+#include "hodt/order/first_order/first_order.h"
 
 namespace hodt {
 namespace {

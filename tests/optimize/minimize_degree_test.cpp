@@ -1,4 +1,4 @@
-#include "hodt/optimize/minimize_degree.h"
+#include "hodt/optimize/degree/minimize_degree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 
-#include "hodt/optimize/degree_bound.h"
+#include "hodt/optimize/degree/degree_bound.h"
 #include "hodt/order/triangulation_order.h"
 
 namespace hodt {

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "hodt/geometry/predicates.h"
-#include "hodt/optimize/measures.h"
+#include "hodt/optimize/measure/measures.h"
 #include "hodt/order/triangulation_order.h"
 
 namespace hodt {

@@ -1,4 +1,4 @@
-#include "hodt/optimize/ranks.h"
+#include "hodt/optimize/extrema/ranks.h"
 
 #include "solution_check.h"
 #include <gtest/gtest.h>

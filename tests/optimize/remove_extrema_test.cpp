@@ -1,4 +1,4 @@
-#include "hodt/optimize/remove_extrema.h"
+#include "hodt/optimize/extrema/remove_extrema.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 #include "hodt/base/buffer.h"
 #include "hodt/base/parallel.h"
-#include "hodt/optimize/heights.h"
+#include "hodt/geometry/heights.h"
 
 namespace hodt {
 namespace {

@@ -12,7 +12,7 @@
 #include "../support/shapes.h"
 
 #include "hodt/mesh/validate.h"
-#include "hodt/optimize/extrema_solution.h"
+#include "hodt/optimize/extrema/extrema_solution.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/validate.h"

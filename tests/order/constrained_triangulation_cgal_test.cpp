@@ -6,7 +6,7 @@
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 
-#include "hodt/order/constrained_triangulation.h"
+#include "hodt/order/constrained/constrained_triangulation.h"
 
 namespace hodt {
 namespace {

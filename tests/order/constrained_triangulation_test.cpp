@@ -1,4 +1,4 @@
-#include "hodt/order/constrained_triangulation.h"
+#include "hodt/order/constrained/constrained_triangulation.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "hodt/order/first_order.h"
+#include "hodt/order/first_order/first_order.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "hodt/base/parallel.h"
-#include "hodt/order/first_order.h"
+#include "hodt/order/first_order/first_order.h"
 #include "hodt/order/segment_walk.h"
 #include "hodt/order/useful_edges.h"
 

@@ -1,4 +1,4 @@
-#include "hodt/order/flip_circles.h"
+#include "hodt/order/first_order/flip_circles.h"
 
 #include <algorithm>
 #include <memory>
@@ -13,7 +13,7 @@
 #include "hodt/base/lanes.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/order/circle_counter.h"
-#include "hodt/order/first_order.h"
+#include "hodt/order/first_order/first_order.h"
 
 namespace hodt {
 namespace {

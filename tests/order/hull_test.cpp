@@ -10,7 +10,7 @@
 
 #include "hodt/geometry/predicates.h"
 #include "hodt/order/circle_counter.h"
-#include "hodt/order/constrained_triangulation.h"
+#include "hodt/order/constrained/constrained_triangulation.h"
 
 namespace hodt {
 namespace {

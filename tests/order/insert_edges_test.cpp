@@ -1,4 +1,4 @@
-#include "hodt/order/insert_edges.h"
+#include "hodt/order/constrained/insert_edges.h"
 
 #include <algorithm>
 #include <numeric>

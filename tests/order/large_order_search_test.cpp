@@ -1,4 +1,4 @@
-#include "hodt/order/large_order_search.h"
+#include "hodt/order/search/large_order_search.h"
 
 #include <algorithm>
 #include <map>

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "hodt/base/parallel.h"
-#include "hodt/order/first_order.h"
+#include "hodt/order/first_order/first_order.h"
 #include "hodt/order/triangulation_order.h"
 
 namespace hodt {

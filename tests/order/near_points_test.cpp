@@ -1,4 +1,4 @@
-#include "hodt/order/near_points.h"
+#include "hodt/order/search/near_points.h"
 
 #include <algorithm>
 #include <cmath>

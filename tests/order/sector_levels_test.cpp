@@ -1,4 +1,4 @@
-#include "hodt/order/sector_levels.h"
+#include "hodt/order/search/sector_levels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hodt/order/voronoi_polygons.h"
+#include "hodt/order/voronoi/voronoi_polygons.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hodt/order/voronoi.h"
+#include "hodt/order/voronoi/voronoi.h"
 
 #include <algorithm>
 #include <array>

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "hodt/base/deadline.h"
-#include "hodt/optimize/first_order_extrema.h"
-#include "hodt/optimize/minimize_degree.h"
+#include "hodt/optimize/degree/minimize_degree.h"
+#include "hodt/optimize/extrema/first_order_extrema.h"
+#include "hodt/optimize/extrema/remove_extrema.h"
 #include "hodt/optimize/optimize_measure.h"
-#include "hodt/optimize/remove_extrema.h"
 
 namespace hodt {
 

@@ -5,8 +5,8 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/order/fixed_edges.h"
-#include "hodt/order/neighbourhood.h"
-#include "hodt/order/pencil.h"
+#include "hodt/order/search/neighbourhood.h"
+#include "hodt/order/search/pencil.h"
 #include "hodt/order/useful_edges.h"
 
 namespace hodt {

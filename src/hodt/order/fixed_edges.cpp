@@ -5,7 +5,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
-#include "hodt/order/first_order.h"
+#include "hodt/order/first_order/first_order.h"
 #include "hodt/order/segment_walk.h"
 #include "hodt/order/useful_edges.h"
 

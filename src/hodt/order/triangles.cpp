@@ -8,8 +8,8 @@
 #include "hodt/geometry/predicates.h"
 #include "hodt/order/circle_counter.h"
 #include "hodt/order/edges.h"
-#include "hodt/order/neighbourhood.h"
-#include "hodt/order/pencil.h"
+#include "hodt/order/search/neighbourhood.h"
+#include "hodt/order/search/pencil.h"
 
 namespace hodt {
 

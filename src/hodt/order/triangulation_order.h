@@ -15,8 +15,8 @@ namespace hodt {
 /// Requires mesh.triangle_count() to be that of the Delaunay triangulation.
 std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const TriangleMesh& mesh);
 /// The same of a change of the Delaunay triangulation, before it is made. A mesh is counted; of
-/// flips, all of which order/first_order.h counted one by one, each makes two triangles of order 1.
-/// Throws std::logic_error if two flips are in one triangle.
+/// flips, all of which order/first_order/first_order.h counted one by one, each makes two triangles
+/// of order 1. Throws std::logic_error if two flips are in one triangle.
 std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const MeshChange& change);
 
 }  // namespace hodt

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "hodt/base/parallel.h"
-#include "hodt/order/first_order.h"
-#include "hodt/order/large_order_search.h"
-#include "hodt/order/neighbourhood.h"
-#include "hodt/order/pencil.h"
-#include "hodt/order/window_walk.h"
+#include "hodt/order/first_order/first_order.h"
+#include "hodt/order/search/large_order_search.h"
+#include "hodt/order/search/neighbourhood.h"
+#include "hodt/order/search/pencil.h"
+#include "hodt/order/search/window_walk.h"
 
 namespace hodt {
 

@@ -1,0 +1,119 @@
+#include "hodt/optimize/degree/minimize_degree.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "hodt/optimize/degree/degree_bound.h"
+#include "hodt/optimize/flip/flips.h"
+#include "hodt/optimize/solve/degree_choices.h"
+#include "hodt/order/first_order/first_order.h"
+#include "hodt/order/fixed_edges.h"
+
+namespace hodt {
+
+namespace {
+
+/// Up to it, flips are tried at every order.
+constexpr Index kStepwise = 16;
+/// Beyond it there are too many triangles to look at, and hardly a vertex needs more than the
+/// average.
+constexpr Index kMostForBound = 64;
+
+/// Every edge once: as a half-edge on the boundary, or the smaller of the two.
+template <class F>
+void for_each_edge_of(const TriangleMesh& mesh, const F& f) {
+  for (Index i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfEdgeId h(i);
+    if (mesh.is_boundary(h) || h < mesh.twin(h)) f(h);
+  }
+}
+
+Index largest(const std::vector<Index>& degrees) {
+  return *std::max_element(degrees.begin(), degrees.end());
+}
+
+/// Of every vertex, by the edges that count.
+template <class Counts>
+std::vector<Index> degrees_of(const TriangleMesh& mesh, const Counts& counts) {
+  std::vector<Index> degrees(mesh.vertex_count(), 0);
+  for_each_edge_of(mesh, [&](HalfEdgeId h) {
+    if (!counts(h)) return;
+    ++degrees[mesh.origin(h)];
+    ++degrees[mesh.target(h)];
+  });
+  return degrees;
+}
+
+std::vector<Index> degrees_of(const TriangleMesh& mesh) {
+  return degrees_of(mesh, [](HalfEdgeId) { return true; });
+}
+
+/// Somebody has at least the average.
+Index average_degree(const TriangleMesh& mesh) {
+  std::size_t ends = 0;
+  for_each_edge_of(mesh, [&](HalfEdgeId) { ends += 2; });
+  return static_cast<Index>((ends + mesh.vertex_count() - 1) / mesh.vertex_count());
+}
+
+/// Finds the flips to the best triangulation of order 1; returns a proven lower bound.
+Index choose_diagonals(const DelaunayGraph& graph, std::vector<HalfEdgeId>& flips) {
+  const TriangleMesh& mesh = graph.mesh;
+  const std::vector<HalfEdgeId> diagonals = first_order_edges(graph);
+  std::vector<Index> base = degrees_of(mesh);
+  const Index delaunay = largest(base);
+  std::vector<DegreeChoices::Corners> corners;
+  for (const HalfEdgeId h : diagonals) {
+    const VertexId a = mesh.origin(h), b = mesh.target(h);
+    --base[a];
+    --base[b];
+    corners.push_back({a, b, mesh.apex(h), mesh.apex(mesh.twin(h))});
+  }
+  Index bound = average_degree(mesh);
+  const DegreeChoices choices(std::move(base), std::move(corners));
+  std::vector<bool> chosen(diagonals.size(), false);
+  bool all_proven = true;
+  for (Index most = bound; most < delaunay; ++most) {
+    const DegreeChoices::Answer answer = choices.keep_below(most, chosen);
+    if (answer == DegreeChoices::Answer::possible) break;
+    all_proven &= answer == DegreeChoices::Answer::impossible;
+    if (all_proven) bound = most + 1;
+  }
+  for (std::size_t q = 0; q < diagonals.size(); ++q)
+    if (chosen[q]) flips.push_back(diagonals[q]);
+  return bound;
+}
+
+/// The fixed edges at a vertex are always there.
+Index fixed_bound(const DelaunayGraph& graph, Index order) {
+  const Buffer<bool> fixed = fixed_edges(graph, order);
+  return largest(degrees_of(graph.mesh, [&](HalfEdgeId h) { return fixed[h]; }));
+}
+
+}  // namespace
+
+MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
+                                 const Deadline& deadline) {
+  const auto delaunay = largest(degrees_of(graph.mesh));
+  std::vector<HalfEdgeId> flips;
+  Index bound = order == 0 ? delaunay : choose_diagonals(graph, flips);
+  MeshChange change(std::move(flips));
+  TriangleMesh mesh = change.applied_to(graph.mesh);
+  if (order > 1) {
+    // From order to order: what is good at one is a good start at the next, and never lost.
+    for (Index k = 2; k < std::min(order, kStepwise) && !deadline.passed(); ++k)
+      reduce_degrees_by_flips(graph, k, deadline, mesh);
+    reduce_degrees_by_flips(graph, order, deadline, mesh);
+    bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
+    if (bound < largest(degrees_of(mesh)) && order <= kMostForBound)
+      bound = degree_bound(graph, order, bound, deadline);
+  }
+  const Index result = largest(degrees_of(mesh));
+  if (order > 1) change = MeshChange(std::move(mesh));
+  return {.change = std::move(change),
+          .delaunay = double(delaunay),
+          .result = double(result),
+          .bound = double(bound)};
+}
+
+}  // namespace hodt

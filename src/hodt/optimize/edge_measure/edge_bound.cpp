@@ -1,0 +1,308 @@
+#include "hodt/optimize/edge_measure/edge_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "hodt/base/parallel.h"
+#include "hodt/mesh/replace_triangles.h"
+#include "hodt/optimize/triangle_measure/faces.h"
+
+namespace hodt {
+
+namespace {
+
+using Corners = std::array<VertexId, 3>;
+
+/// Of a triangle with no edge that costs.
+constexpr double kNever = -std::numeric_limits<double>::infinity();
+
+/// A valid triangle at an edge.
+struct Use {
+  Index low, high;
+  Index triangle;
+  bool is_left;  // of low -> high
+  double charge;
+
+  auto edge() const { return std::tuple(low, high); }
+};
+
+/// An edge that can be between two triangles.
+struct Edge {
+  std::span<Use> left, right;
+};
+
+class Bound {
+ public:
+  Bound(const DelaunayGraph& graph, const EdgeValues& values, Index order, double at_hand,
+        const Deadline& deadline)
+      : graph_(graph),
+        values_(values),
+        deadline_(deadline),
+        faces_(graph, order),
+        objective_(values.objective()),
+        sign_(values.sign()),
+        most_(sign_ > 0 ? at_hand : std::numeric_limits<double>::infinity()) {
+    find_edges();
+    programs_.resize(faces_.size());
+  }
+
+  EdgeBound run(bool is_thorough) && {
+    if (objective_.aggregate == Aggregate::sum) return charge_sums(is_thorough);
+    EdgeBound result{0, graph_.mesh};
+    result.bound = values_.worst_counts() ? least_largest(result.mesh) : best_pair();
+    return result;
+  }
+
+ private:
+  void find_edges();
+  double cost(const Edge& edge, const Use& left, const Use& right) const {
+    return std::min(most_,
+                    sign_ * values_.across(VertexId(edge.left[0].low), VertexId(edge.left[0].high),
+                                           gradients_[left.triangle], gradients_[right.triangle]));
+  }
+  EdgeBound charge_sums(bool is_thorough);
+  void charge_all();
+  void share(const Edge& edge, std::vector<double>& room) const;
+  void take_back(const std::vector<FaceSolution>& solutions);
+  double least_largest(TriangleMesh& mesh);
+  void charge_least(const Edge& edge);
+  double best_pair() const;
+  double solve(Aggregate aggregate, std::vector<FaceSolution>& solutions);
+  double make_positive(std::span<FaceTriangle> triangles, bool is_sum) const;
+  bool is_delaunay(const Corners& t) const;
+  void take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh);
+
+  const DelaunayGraph& graph_;
+  const EdgeValues& values_;
+  const Deadline& deadline_;
+  Faces faces_;
+  const Objective objective_;
+  const double sign_;  // of costs: the less, the better
+  // Whatever costs more than all edges of a triangulation at hand is not in the best one, however
+  // much more: slivers would spoil the scale.
+  const double most_;
+  std::vector<EdgeValues::Gradient> gradients_;  // of the triangles
+  std::vector<Use> uses_;
+  std::vector<Edge> edges_;
+  // Of faces that are not small, from one round to the next.
+  static constexpr std::size_t kSmall = 50;
+  std::vector<std::unique_ptr<FaceProgram>> programs_;
+};
+
+void Bound::find_edges() {
+  const std::span<const FaceTriangle> triangles = faces_.triangles();
+  gradients_.resize(triangles.size());
+  uses_.resize(3 * triangles.size());
+  parallel_for(0, triangles.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const auto [a, b, c] = triangles[t].corners;
+      gradients_[t] = values_.gradient(a, b, c);
+      std::size_t at = 3 * t;
+      for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        uses_[at++] = {std::min<Index>(u, v), std::max<Index>(u, v), Index(t), u < v, 0};
+    }
+  });
+  std::sort(uses_.begin(), uses_.end(), [](const Use& x, const Use& y) {
+    return std::tuple(x.edge(), !x.is_left, x.triangle) <
+           std::tuple(y.edge(), !y.is_left, y.triangle);
+  });
+  for (auto first = uses_.begin(), last = first; first != uses_.end(); first = last) {
+    while (last != uses_.end() && last->edge() == first->edge()) ++last;
+    const auto middle =
+        std::partition_point(first, last, [](const Use& use) { return use.is_left; });
+    if (middle != first && middle != last) edges_.push_back({{first, middle}, {middle, last}});
+  }
+}
+
+/// Charges as much more as no pair exceeds its cost by: half of it to those on the left, then all
+/// that is left.
+void Bound::share(const Edge& edge, std::vector<double>& room) const {
+  const std::size_t width = edge.right.size();
+  room.clear();
+  for (const Use& left : edge.left)
+    for (const Use& right : edge.right)
+      room.push_back(cost(edge, left, right) - left.charge - right.charge);
+  const auto charge_left = [&](double part) {
+    for (std::size_t l = 0; l < edge.left.size(); ++l) {
+      double* const row = &room[l * width];
+      const double more = part * *std::min_element(row, row + width);
+      edge.left[l].charge += more;
+      for (std::size_t r = 0; r < width; ++r) row[r] -= more;
+    }
+  };
+  const auto charge_right = [&] {
+    for (std::size_t r = 0; r < width; ++r) {
+      double more = room[r];
+      for (std::size_t at = r; at < room.size(); at += width) more = std::min(more, room[at]);
+      edge.right[r].charge += more;
+      for (std::size_t at = r; at < room.size(); at += width) room[at] -= more;
+    }
+  };
+  charge_left(0.5);
+  charge_right();
+  charge_left(1);
+}
+
+/// What the triangles can spare, from all their edges alike.
+void Bound::take_back(const std::vector<FaceSolution>& solutions) {
+  std::vector<double> spare(faces_.triangles().size(), 0);
+  for (Index face = 0; face < faces_.size(); ++face) {
+    const auto begin = faces_.triangles(face).data() - faces_.triangles().data();
+    std::copy(solutions[face].spare.begin(), solutions[face].spare.end(), spare.begin() + begin);
+  }
+  for (const Edge& edge : edges_)
+    for (const std::span<Use> uses : {edge.left, edge.right})
+      for (Use& use : uses) use.charge -= spare[use.triangle] / 3;
+}
+
+EdgeBound Bound::charge_sums(bool is_thorough) {
+  // Later rounds gain little; how little is worth going on for.
+  const double worth_it = is_thorough ? 1e-4 : 0.01;
+  const int most_rounds = is_thorough ? 500 : 50;
+  EdgeBound result{-std::numeric_limits<double>::infinity(), graph_.mesh};
+  std::vector<FaceSolution> solutions(faces_.size());
+  double best = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most_rounds && (round == 0 || !deadline_.passed()); ++round) {
+    charge_all();
+    const double bound = solve(Aggregate::sum, solutions);
+    TriangleMesh mesh = graph_.mesh;
+    take(solutions, mesh);
+    if (const double value = sign_ * values_.of(mesh); value < best) {
+      best = value;
+      result.mesh = std::move(mesh);
+    }
+    const double gain = bound - std::exchange(result.bound, std::max(result.bound, bound));
+    if (gain <= worth_it * (best - result.bound)) break;
+    take_back(solutions);
+  }
+  result.bound = std::max(sign_ * result.bound, 0.0) + 0.0;
+  return result;
+}
+
+void Bound::charge_all() {
+  PerThread<std::vector<double>> scratch([] { return std::vector<double>(); });
+  parallel_for(0, edges_.size(), 1 << 8, [&](std::size_t first, std::size_t last) {
+    std::vector<double>& room = scratch.mine();
+    for (std::size_t e = first; e < last; ++e) share(edges_[e], room);
+  });
+  for (FaceTriangle& t : faces_.triangles()) t.value = 0;
+  for (const Edge& edge : edges_)
+    for (const std::span<Use> uses : {edge.left, edge.right})
+      for (const Use& use : uses) faces_.triangles()[use.triangle].value += use.charge;
+}
+
+/// With a triangle there is, at each of its edges, a pair at least as bad as the best one it can be
+/// in, or what the other triangle brings with it; and so on, as far as it goes.
+double Bound::least_largest(TriangleMesh& mesh) {
+  constexpr int kMostRounds = 100;
+  const std::span<FaceTriangle> triangles = faces_.triangles();
+  for (FaceTriangle& t : triangles) t.value = kNever;
+  bool is_changing = true;
+  for (int round = 0; is_changing && round < kMostRounds; ++round) {
+    for (const Edge& edge : edges_) charge_least(edge);
+    is_changing = false;
+    for (const Edge& edge : edges_)
+      for (const std::span<Use> uses : {edge.left, edge.right})
+        for (const Use& use : uses) {
+          double& value = triangles[use.triangle].value;
+          is_changing |= value < use.charge;
+          value = std::max(value, use.charge);
+        }
+  }
+  std::vector<FaceSolution> solutions(faces_.size());
+  const double bound = solve(Aggregate::max, solutions);
+  take(solutions, mesh);
+  return std::max(sign_ * bound, 0.0) + 0.0;  // never -0
+}
+
+void Bound::charge_least(const Edge& edge) {
+  const std::span<const FaceTriangle> triangles = faces_.triangles();
+  for (const std::span<Use> uses : {edge.left, edge.right})
+    for (Use& use : uses) use.charge = std::numeric_limits<double>::infinity();
+  for (Use& left : edge.left)
+    for (Use& right : edge.right) {
+      const double c = cost(edge, left, right);
+      left.charge = std::min(left.charge, std::max(c, triangles[right.triangle].value));
+      right.charge = std::min(right.charge, std::max(c, triangles[left.triangle].value));
+    }
+}
+
+/// Any two triangles could be in some triangulation.
+double Bound::best_pair() const {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : edges_)
+    for (const Use& left : edge.left)
+      for (const Use& right : edge.right) best = std::min(best, cost(edge, left, right));
+  return std::isfinite(best) ? sign_ * best : 0;
+}
+
+bool Bound::is_delaunay(const Corners& t) const {
+  bool found = false;
+  for_each_outgoing(graph_.mesh, graph_.outgoing[t[0]], [&](HalfEdgeId h) {
+    found |= graph_.mesh.target(h) == t[1] && graph_.mesh.apex(h) == t[2];
+  });
+  return found;
+}
+
+/// The least that the triangles' values can sum up to, or their largest can be.
+double Bound::solve(Aggregate aggregate, std::vector<FaceSolution>& solutions) {
+  const bool is_sum = aggregate == Aggregate::sum;
+  const Combination least(Objective(Direction::minimize, aggregate, objective_.measure));
+  PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
+  parallel_for(0, faces_.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (auto face = static_cast<Index>(first); face < last; ++face) {
+      const double shift = make_positive(faces_.triangles(face), is_sum);
+      double at_hand = least.neutral();
+      for (const FaceTriangle& t : faces_.triangles(face))
+        if (is_delaunay(t.corners)) at_hand = least.combine(at_hand, t.value);
+      const std::size_t size = faces_.places(face).size();
+      if (size == 1)
+        solutions[face].bound = at_hand;
+      else
+        solutions[face] = faces_.solve(face, least, at_hand, deadline_, 1, polygons.mine(),
+                                       size > kSmall ? &programs_[face] : nullptr);
+      solutions[face].bound += is_sum ? double(size) * shift : shift;
+    }
+  });
+  double bound = least.neutral(), size = 0;
+  for (const FaceSolution& solution : solutions) {
+    bound = least.combine(bound, solution.bound);
+    size += std::fabs(solution.bound);
+  }
+  return is_sum ? bound - 1e-12 * size : bound;  // far more than what rounding does
+}
+
+/// The same less for all triangles of a face, so that none costs less than nothing; returns how
+/// much. (Any triangulation of it has as many.)
+double Bound::make_positive(std::span<FaceTriangle> triangles, bool is_sum) const {
+  double lowest = is_sum ? 0 : std::numeric_limits<double>::infinity();
+  for (const FaceTriangle& t : triangles)
+    if (t.value != kNever) lowest = std::min(lowest, t.value);
+  if (!std::isfinite(lowest)) lowest = 0;
+  for (FaceTriangle& t : triangles) t.value = std::max(t.value, lowest) - lowest;
+  return lowest;
+}
+
+void Bound::take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh) {
+  for (Index face = 0; face < faces_.size(); ++face) {
+    std::vector<Corners> chosen;
+    for (const Index t : solutions[face].chosen)
+      chosen.push_back(faces_.triangles(face)[t].corners);
+    if (!chosen.empty()) replace_triangles(mesh, faces_.places(face), chosen);
+  }
+}
+
+}  // namespace
+
+EdgeBound bound_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index order,
+                             double at_hand, const Deadline& deadline, bool is_thorough) {
+  return Bound(graph, values, order, at_hand, deadline).run(is_thorough);
+}
+
+}  // namespace hodt

@@ -1,0 +1,92 @@
+// What two triangles across an edge measure. A new measure is one more function here, and a name in
+// objective.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "hodt/base/buffer.h"
+#include "hodt/geometry/point.h"
+#include "hodt/mesh/triangle_mesh.h"
+#include "hodt/optimize/combination.h"
+
+namespace hodt {
+
+/// Values of inner edges for an objective whose measure is_of_edges. A view: the points and heights
+/// must outlive it.
+class EdgeValues : public Combination {
+ public:
+  EdgeValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z)
+      : Combination(objective), xy_(xy), z_(z) {}
+
+  /// The gradient of the plane through three points: the same bits whatever corner comes first.
+  struct Gradient {
+    double x, y;
+  };
+  Gradient gradient(VertexId a, VertexId b, VertexId c) const;
+  /// Those of all triangles of a mesh.
+  Buffer<Gradient> gradients(const TriangleMesh& mesh) const;
+
+  /// The value of the edge ab between triangles with these gradients; never negative, at most
+  /// 1e150. The same bits from either side.
+  double across(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const;
+  /// The same with the triangles abc, on the left, and bad.
+  double of(VertexId a, VertexId b, VertexId c, VertexId d) const {
+    return across(a, b, gradient(a, b, c), gradient(b, a, d));
+  }
+  /// The same of an edge of a mesh that is not on the boundary.
+  double of(const TriangleMesh& mesh, HalfEdgeId h) const {
+    return of(mesh.origin(h), mesh.target(h), mesh.apex(h), mesh.apex(mesh.twin(h)));
+  }
+  /// The objective's value of a triangulation; 0 if it has no inner edge.
+  double of(const TriangleMesh& mesh) const;
+
+  /// From a to b.
+  Point along(VertexId a, VertexId b) const { return {xy_[b].x - xy_[a].x, xy_[b].y - xy_[a].y}; }
+
+ private:
+  std::span<const Point> xy_;
+  std::span<const double> z_;
+};
+
+/// EdgeValues::across for many edges side by side, each between one of two gradients on its left
+/// and one of two on its right: the same bits, in a fraction of the time.
+class ManyEdges {
+ public:
+  static constexpr std::size_t kSize =
+      124;  // no power of two: see order/first_order/nearest_beyond.cpp
+  using Gradients = std::array<EdgeValues::Gradient, 2>;
+
+  explicit ManyEdges(const EdgeValues& values) : values_(values) {}
+
+  /// Edge i, from a to b.
+  void set(std::size_t i, VertexId a, VertexId b, const Gradients& left, const Gradients& right) {
+    const auto [x, y] = values_.along(a, b);
+    x_[i] = x;
+    y_[i] = y;
+    for (int g = 0; g < 2; ++g) {
+      left_[g].set(i, left[g]);
+      right_[g].set(i, right[g]);
+    }
+  }
+  /// The values of the first so many, for the gradients of these numbers.
+  const double* measure(std::size_t size, int left, int right);
+
+ private:
+  using Column = std::array<double, kSize>;
+  struct GradientColumns {
+    Column x, y;
+    void set(std::size_t i, const EdgeValues::Gradient& g) {
+      x[i] = g.x;
+      y[i] = g.y;
+    }
+  };
+
+  const EdgeValues& values_;
+  Column x_, y_;
+  std::array<GradientColumns, 2> left_, right_;
+  std::array<std::array<Column, 2>, 2> value_;
+};
+
+}  // namespace hodt

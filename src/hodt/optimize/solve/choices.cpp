@@ -1,0 +1,108 @@
+#include "hodt/optimize/solve/choices.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hodt/optimize/solve/choice_parts.h"
+
+namespace hodt {
+
+Choices::Choices(const Combination& combination, Index count)
+    : combination_(combination), singles_(count, {combination.neutral(), combination.neutral()}) {}
+
+void Choices::add(Index i, const SingleCosts& costs) {
+  for (Index x = 0; x < 2; ++x) singles_[i][x] = combination_.combine(singles_[i][x], costs[x]);
+}
+
+void Choices::add(std::span<const ChoicePair> pairs) {
+  pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
+}
+
+namespace {
+
+/// Where messages leave a gap: the best of the choices that are not settled. What is settled is so
+/// in all that could be better.
+PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
+                         const PartChoices& known, const Deadline& deadline) {
+  const Combination& c = graph.combination();
+  std::vector<Index> open, number(part.size(), kNone);
+  std::vector<bool> chosen_before;  // of the open ones
+  for (Index i = 0; i < part.size(); ++i) {
+    if (known.settled[i]) continue;
+    number[i] = static_cast<Index>(open.size());
+    open.push_back(i);
+    chosen_before.push_back(known.chosen[i]);
+  }
+  Choices rest(c, static_cast<Index>(open.size()));
+  std::vector<ChoicePair> pairs;
+  double settled_cost = c.neutral();
+  for (Index i = 0; i < part.size(); ++i) {
+    const bool x = known.chosen[i];
+    if (number[i] == kNone)
+      settled_cost = c.combine(settled_cost, graph.single(part[i])[x]);
+    else
+      rest.add(number[i], graph.single(part[i]));
+    for (const ChoiceGraph::Link& link : graph.links(part[i])) {
+      const ChoicePair& pair = graph.pair(link.pair);
+      const Index j = place_in(part, link.to);
+      const bool y = known.chosen[j];
+      if (number[i] != kNone && number[j] == kNone)
+        rest.add(number[i], {pair.cost(part[i], false, y), pair.cost(part[i], true, y)});
+      else if (number[i] == kNone && number[j] == kNone && i < j)
+        settled_cost = c.combine(settled_cost, pair.cost(part[i], x, y));
+      else if (number[i] != kNone && i < j)
+        pairs.push_back({number[i],
+                         number[j],
+                         {{{pair.cost(part[i], false, false), pair.cost(part[i], false, true)},
+                           {pair.cost(part[i], true, false), pair.cost(part[i], true, true)}}}});
+    }
+  }
+  rest.add(pairs);
+  const Choices::Result found = rest.best(deadline);
+  PartChoices result = known;
+  const bool is_better = c.better(rest.value(found.chosen), rest.value(chosen_before));
+  for (std::size_t n = 0; n < open.size() && is_better; ++n)
+    result.chosen[open[n]] = found.chosen[n];
+  const double bound = c.combine(settled_cost, found.bound);
+  if (c.better(known.bound, bound)) result.bound = bound;  // the tighter one
+  return result;
+}
+
+PartChoices best_of(const ChoiceGraph& graph, std::span<const Index> part,
+                    const Deadline& deadline) {
+  if (graph.combination().objective().aggregate != Aggregate::sum)
+    return choose_by_limits(graph, part);
+  const PartChoices best = choose_by_messages(graph, part, deadline);
+  if (best.is_best || deadline.passed()) return best;
+  const auto settled = std::count(best.settled.begin(), best.settled.end(), true);
+  if (static_cast<std::size_t>(settled) > part.size() / 16)
+    return best_of_open(graph, part, best, deadline);
+  if (std::optional<PartChoices> exact = choose_by_tables(graph, part)) return *std::move(exact);
+  return best;
+}
+
+}  // namespace
+
+double Choices::value(const std::vector<bool>& chosen) const {
+  double value = combination_.neutral();
+  for (std::size_t i = 0; i < singles_.size(); ++i)
+    value = combination_.combine(value, singles_[i][chosen[i]]);
+  for (const auto& [i, j, costs] : pairs_)
+    value = combination_.combine(value, costs[chosen[i]][chosen[j]]);
+  return value;
+}
+
+Choices::Result Choices::best(const Deadline& deadline) const {
+  ChoiceGraph graph(combination_, singles_, pairs_);
+  Result result{std::vector<bool>(graph.size(), false), graph.eliminate_simple()};
+  for (const std::vector<Index>& part : graph.parts()) {
+    const PartChoices best = best_of(graph, part, deadline);
+    for (std::size_t i = 0; i < part.size(); ++i) result.chosen[part[i]] = best.chosen[i];
+    result.bound = combination_.combine(result.bound, best.bound);
+  }
+  graph.decide_eliminated(result.chosen);
+  return result;
+}
+
+}  // namespace hodt

@@ -1,0 +1,142 @@
+#include "hodt/optimize/triangle_measure/optimize_triangle_measure.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "hodt/base/parallel.h"
+#include "hodt/mesh/replace_triangles.h"
+#include "hodt/optimize/flip/flips.h"
+#include "hodt/optimize/measure/measures.h"
+#include "hodt/optimize/triangle_measure/faces.h"
+#include "hodt/order/first_order/first_order.h"
+
+namespace hodt {
+
+namespace {
+
+using Corners = std::array<VertexId, 3>;
+
+/// Either diagonal of every quadrilateral may be taken, whatever is taken elsewhere.
+MeasuredSolution optimize_first_order(const MeasureProblem& problem) {
+  const TriangleMesh& mesh = problem.graph.mesh;
+  const TriangleValues values(problem.objective, problem.graph.xy, problem.z);
+  std::vector<HalfEdgeId> flips = first_order_edges(
+      problem.graph,
+      [&](std::span<HalfEdgeId> edges) { return values.keep_better_flips(mesh, edges); });
+  const auto [before, after] = values.with_flips(mesh, flips);
+  return {
+      .change = MeshChange(std::move(flips)), .delaunay = before, .result = after, .bound = after};
+}
+
+/// Order 2 and more.
+class Optimizer {
+ public:
+  explicit Optimizer(const MeasureProblem& problem)
+      : problem_(problem),
+        graph_(problem.graph),
+        values_(problem.objective, graph_.xy, problem.z),
+        is_sum_(problem.objective.aggregate == Aggregate::sum),
+        mesh_(graph_.mesh) {}
+
+  MeasuredSolution run() && {
+    solve_faces();
+    const double result = values_.of(mesh_);
+    // Each face lost as much as that, or nothing.
+    const double bound = is_sum_ ? result - gap_ : values_.combine(bound_, fixed_);
+    return {.change = MeshChange(std::move(mesh_)),
+            .delaunay = values_.of(graph_.mesh),
+            .result = result,
+            .bound = bound};
+  }
+
+ private:
+  void solve_faces();
+  void take(Faces& faces, Index face, const FaceSolution& solution);
+  double value_in_mesh(std::span<const TriangleId> places) const {
+    double value = values_.neutral();
+    for (const TriangleId t : places) {
+      const auto [a, b, c] = mesh_.corners(t);
+      value = values_.combine(value, values_.of(a, b, c));
+    }
+    return value;
+  }
+
+  const MeasureProblem& problem_;
+  const DelaunayGraph& graph_;
+  const TriangleValues values_;
+  const bool is_sum_;
+  TriangleMesh mesh_;                 // the best so far
+  double gap_ = 0;                    // of sums
+  double bound_ = values_.neutral();  // of the others: of the faces
+  double fixed_ = values_.neutral();  // and of the triangles that are always there
+};
+
+void Optimizer::take(Faces& faces, Index face, const FaceSolution& solution) {
+  const std::span<const TriangleId> places = faces.places(face);
+  double value = value_in_mesh(places);
+  if (!solution.chosen.empty()) {
+    std::vector<Corners> fresh;
+    double chosen_value = values_.neutral();
+    for (const Index t : solution.chosen) {
+      const FaceTriangle& triangle = faces.triangles(face)[t];
+      fresh.push_back(triangle.corners);
+      chosen_value = values_.combine(chosen_value, triangle.value);
+    }
+    // Equal sums differ by rounding; equal largest values leave the rest better.
+    if (values_.better(chosen_value, value) || (!is_sum_ && chosen_value == value)) {
+      replace_triangles(mesh_, places, fresh);
+      value = chosen_value;
+    }
+  }
+  if (is_sum_)
+    gap_ += value - solution.bound;
+  else
+    bound_ = values_.combine(bound_, solution.bound);
+}
+
+void Optimizer::solve_faces() {
+  constexpr std::size_t kPrograms = 400, kExactPrograms = 1'000'000;
+  Faces faces(graph_, problem_.order);
+  const std::span<FaceTriangle> triangles = faces.triangles();
+  parallel_for(0, triangles.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
+    for (FaceTriangle& t : triangles.subspan(first, last - first))
+      t.value = values_.of(t.corners[0], t.corners[1], t.corners[2]);
+  });
+  // What there is if time runs out, and what a face's program need not exceed.
+  improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh_);
+  std::vector<FaceSolution> solutions(faces.size());
+  PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
+  parallel_for(0, faces.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (auto face = static_cast<Index>(first); face < last; ++face)
+      if (faces.places(face).size() > 1)
+        solutions[face] = faces.solve(
+            face, values_, value_in_mesh(faces.places(face)), problem_.deadline,
+            problem_.method == Method::exact ? kExactPrograms : kPrograms, polygons.mine());
+  });
+  if (problem_.method == Method::flip)
+    for (FaceSolution& s : solutions) s.chosen.clear();  // the bounds are good all the same
+  // Flips stay inside the faces, so a face is in its places still; as long as no triangle of the
+  // mesh crosses a fixed edge, which none of order k does.
+  for (Index face = 0; face < faces.size(); ++face) {
+    if (faces.places(face).size() > 1)
+      take(faces, face, solutions[face]);
+    else if (!is_sum_)
+      fixed_ = values_.combine(fixed_, value_in_mesh(faces.places(face)));
+  }
+  // Below the largest (or smallest) value of a face there may be something left to gain.
+  if (!is_sum_) improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh_);
+}
+
+}  // namespace
+
+MeasuredSolution optimize_triangle_measure(const MeasureProblem& problem) {
+  if (problem.order == 1) return optimize_first_order(problem);
+  if (problem.order > 1) return Optimizer(problem).run();
+  const TriangleValues values(problem.objective, problem.graph.xy, problem.z);
+  const double value = values.of(problem.graph.mesh);
+  return {.change = {}, .delaunay = value, .result = value, .bound = value};
+}
+
+}  // namespace hodt
