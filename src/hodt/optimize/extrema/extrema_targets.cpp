@@ -37,6 +37,12 @@ bool ExtremaTargets::add(VertexId v, Extremum kind) {
   return true;
 }
 
+std::size_t ExtremaTargets::hopeless() const {
+  return std::size_t(std::count_if(targets_.begin(), targets_.end(), [&](const Target& target) {
+    return target.edges.empty() && is_searched(target);
+  }));
+}
+
 void ExtremaTargets::find_edges() {
   for (std::uint64_t order = kFirstSearch;; order = 4 * order) {
     const Index level = Index(std::min<std::uint64_t>(order, order_));

@@ -52,10 +52,8 @@ class ExtremaTargets {
   bool is_complete(const Target& target) const {
     return is_searched(target) && target.offered >= target.edges.size();
   }
-  /// No triangulation can help it.
-  bool is_hopeless(const Target& target) const {
-    return target.edges.empty() && is_searched(target);
-  }
+  /// How many have no edge that removes them: these stay, whatever is chosen.
+  std::size_t hopeless() const;
 
  private:
   void search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const;

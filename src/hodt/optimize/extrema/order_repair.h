@@ -1,0 +1,15 @@
+// Edges released where they force too high an order together.
+#pragma once
+
+#include "hodt/optimize/extrema/extrema_triangulation.h"
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+/// Useful edges that do not cross can force a higher order together (Gudmundsson, Haverkort and van
+/// Kreveld), which is rare. Releases the locked edge nearest to each triangle of more than `order`
+/// points, until there is no such triangle.
+void release_where_order_is_too_high(const DelaunayGraph& graph, Index order,
+                                     ExtremaTriangulation& triangulation);
+
+}  // namespace hodt
