@@ -19,7 +19,7 @@ namespace {
 // Terrains need two to twelve rounds; the limits are for orders near n.
 constexpr int kRounds = 20;
 constexpr std::size_t kCrossings = 50'000'000;
-// Of choose_edges.
+// Of select_edges.
 constexpr std::size_t kWork = 30'000;
 constexpr std::size_t kExactWork = 1'000'000'000;
 
@@ -109,7 +109,7 @@ void Remover::hold_best_choice() {
   for (int round = 0; has_news && (exact || (round < kRounds && crossings < kCrossings)); ++round) {
     tell("choice of edges");
     const RemovingEdges best =
-        choose_removing_edges(graph_, targets_, problem_.deadline, exact ? kExactWork : kWork);
+        select_removing_edges(graph_, targets_, problem_.deadline, exact ? kExactWork : kWork);
     without_choice_ = std::max(without_choice_, best.bound);
     // Targets that cannot all be served are offered four times as many edges.
     const double growth = 1 + 3 * double(best.contested.size()) / double(targets_.size());

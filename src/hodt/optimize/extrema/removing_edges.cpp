@@ -12,7 +12,7 @@ namespace {
 struct Candidates {
   std::vector<PlainEdge> edges;
   std::vector<Index> targets;  // those that have edges
-  ChoiceProblem problem;
+  SelectionProblem problem;
 };
 
 Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targets) {
@@ -50,15 +50,15 @@ Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targe
 
 }  // namespace
 
-RemovingEdges choose_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
+RemovingEdges select_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
                                     const Deadline& deadline, std::size_t most_work) {
   const Candidates all = candidates_of(graph, targets);
-  const Choice choice = choose_edges(all.problem, deadline, most_work);
+  const Selection selection = select_edges(all.problem, deadline, most_work);
   RemovingEdges result;
   for (Index e = 0; e < all.edges.size(); ++e) result.crossings += all.problem.rivals[e].size() / 2;
-  for (const Index e : choice.edges)
+  for (const Index e : selection.edges)
     if (all.problem.orders[e] > 0) result.chosen.push_back(all.edges[e]);
-  for (const Choice::Part& part : choice.contested) {
+  for (const Selection::Part& part : selection.contested) {
     bool is_complete = true;
     for (const Index t : part.targets) {
       result.contested.push_back(all.targets[t]);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hodt/optimize/extrema/extrema_targets.h"
-#include "hodt/optimize/solve/choose_edges.h"
+#include "hodt/optimize/solve/edge_selection.h"
 #include "hodt/order/crossings.h"
 
 namespace hodt {
@@ -24,7 +24,7 @@ struct RemovingEdges {
 
 /// The edges that remove as many targets as edges can that do not cross: at least as many as any
 /// triangulation of the order removes, if all edges of the contested targets are known.
-RemovingEdges choose_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
+RemovingEdges select_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
                                     const Deadline& deadline, std::size_t most_work);
 
 }  // namespace hodt

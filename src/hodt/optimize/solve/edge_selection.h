@@ -9,19 +9,19 @@
 
 namespace hodt {
 
-struct ChoiceProblem {
+struct SelectionProblem {
   Lists edges_of;             ///< the edges that serve a target, each of them one at least
   Lists targets_of;           ///< the same by edges
   Lists rivals;               ///< the edges that an edge excludes
   std::vector<Index> orders;  ///< of edges: the smaller the better, between equals
 };
 
-struct Choice {
+struct Selection {
   std::vector<Index> edges;  ///< chosen, ascending: no two are rivals
   /// Parts of the targets that cannot all be served.
   struct Part {
     std::vector<Index> targets;
-    std::size_t unserved;  ///< at least, in any choice
+    std::size_t unserved;  ///< at least, in any selection
   };
   std::vector<Part> contested;
 };
@@ -31,7 +31,8 @@ struct Choice {
 /// each a program in zeros and ones: a variable for each edge and for each target that goes
 /// without. A program's work is its variables and pairs of rivals: all programs of a part together
 /// are allowed `most_work`, and each a quarter of what is left. On parts where that ends the
-/// search, the choice may not be the best, and `unserved` not be reached.
-Choice choose_edges(const ChoiceProblem& problem, const Deadline& deadline, std::size_t most_work);
+/// search, the selection may not be the best, and `unserved` not be reached.
+Selection select_edges(const SelectionProblem& problem, const Deadline& deadline,
+                       std::size_t most_work);
 
 }  // namespace hodt

@@ -1,4 +1,4 @@
-#include "hodt/optimize/solve/choose_edges.h"
+#include "hodt/optimize/solve/edge_selection.h"
 
 #include <algorithm>
 #include <bit>
@@ -20,7 +20,7 @@ struct Plain {
   Pairs serves;  // edge, target
   Pairs rivals;
 
-  ChoiceProblem problem() const {
+  SelectionProblem problem() const {
     Pairs of_target, both;
     for (const auto& [e, t] : serves) of_target.emplace_back(t, e);
     for (const auto& [e, f] : rivals) {
@@ -69,9 +69,9 @@ std::uint32_t bits(const std::vector<Index>& edges) {
   return chosen;
 }
 
-std::size_t bound(const Choice& choice) {
+std::size_t bound(const Selection& selection) {
   std::size_t sum = 0;
-  for (const Choice::Part& part : choice.contested) sum += part.unserved;
+  for (const Selection::Part& part : selection.contested) sum += part.unserved;
   return sum;
 }
 
@@ -81,27 +81,27 @@ TEST(ChooseEdges, serves_as_many_as_can_be) {
   for (int round = 0; round < 1500; ++round) {
     const int targets = random.integer(2, 9), edges = random.integer(2, 14);
     const Plain plain = random_problem(random, targets, edges, random.integer(0, 3 * edges));
-    const Choice choice = choose_edges(plain.problem(), Deadline(), 1'000'000);
-    const std::uint32_t chosen = bits(choice.edges);
+    const Selection selection = select_edges(plain.problem(), Deadline(), 1'000'000);
+    const std::uint32_t chosen = bits(selection.edges);
     ASSERT_TRUE(plain.is_allowed(chosen)) << round;
     ASSERT_EQ(plain.unserved(chosen), plain.optimum()) << round;
-    ASSERT_EQ(bound(choice), plain.optimum()) << round;
-    contested += bound(choice) > 0;
+    ASSERT_EQ(bound(selection), plain.optimum()) << round;
+    contested += bound(selection) > 0;
   }
   EXPECT_GT(contested, 500u);
 }
 
-/// Without a single program the choice is allowed all the same, and the bound valid.
+/// Without a single program the selection is allowed all the same, and the bound valid.
 TEST(ChooseEdges, ends_early_with_what_it_has) {
   families::Random random(8);
   for (int round = 0; round < 500; ++round) {
     const Plain plain = random_problem(random, 8, 12, 24);
     for (const std::size_t work : {0, 160, 400}) {
-      const Choice choice = choose_edges(plain.problem(), Deadline(), work);
-      const std::uint32_t chosen = bits(choice.edges);
+      const Selection selection = select_edges(plain.problem(), Deadline(), work);
+      const std::uint32_t chosen = bits(selection.edges);
       ASSERT_TRUE(plain.is_allowed(chosen)) << round;
       ASSERT_GE(plain.unserved(chosen), plain.optimum()) << round;
-      ASSERT_LE(bound(choice), plain.optimum()) << round;
+      ASSERT_LE(bound(selection), plain.optimum()) << round;
     }
   }
 }
@@ -114,9 +114,9 @@ TEST(ChooseEdges, branches_where_the_relaxation_is_fractional) {
       plain.serves.emplace_back(i, i);
       plain.rivals.emplace_back(i, (i + 1) % n);
     }
-    const Choice choice = choose_edges(plain.problem(), Deadline(), 1'000'000);
-    EXPECT_EQ(plain.unserved(bits(choice.edges)), n - n / 2);
-    EXPECT_EQ(bound(choice), n - n / 2);
+    const Selection selection = select_edges(plain.problem(), Deadline(), 1'000'000);
+    EXPECT_EQ(plain.unserved(bits(selection.edges)), n - n / 2);
+    EXPECT_EQ(bound(selection), n - n / 2);
   }
 }
 

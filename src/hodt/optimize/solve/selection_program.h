@@ -1,0 +1,13 @@
+// A problem of selection as a program in zeros and ones.
+#pragma once
+
+#include "hodt/optimize/solve/edge_selection.h"
+#include "hodt/optimize/solve/linear_relaxation.h"
+
+namespace hodt {
+
+/// The variables are the edges, and then the targets, which are one if
+/// they go without. One edge of a clique at most makes for a better relaxation than pairs do.
+BinaryRows rows_of(const SelectionProblem& problem);
+
+}  // namespace hodt
