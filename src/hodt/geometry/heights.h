@@ -1,4 +1,4 @@
-// Comparing heights, and the extrema of a triangulation that changes.
+// The order of heights, which has no ties, and the two kinds of local extrema.
 #pragma once
 
 #include <cstdint>
