@@ -16,13 +16,13 @@ help:
 demo:
 	@scripts/dependencies.sh build
 	cmake --preset release -DHODT_BUILD_TESTS=OFF
-	cmake --build --preset release --target hodt hodt_demo
+	cmake --build --preset release --target hodt_program hodt_demo
 	build/release/hodt_demo demo
 
 build:
 	@scripts/dependencies.sh build
 	cmake --preset release -DHODT_BUILD_TESTS=OFF
-	cmake --build --preset release --target hodt
+	cmake --build --preset release --target hodt_program
 
 test:
 	@scripts/dependencies.sh test

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <coin/Clp_C_Interface.h>
+#include <Clp_C_Interface.h>
 
 namespace hodt {
 
