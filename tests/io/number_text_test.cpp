@@ -16,10 +16,13 @@ namespace hodt {
 namespace {
 
 /// What parse_number makes of the text; NaN if it refuses or stops early.
+template <char Decimal = '.'>
 double parsed(const std::string& text) {
-  const std::string padded = text + "\n" + std::string(8, '\0');
+  std::string padded = text;
+  padded += '\n';
+  padded.append(8, '\0');
   double value = 0;
-  const char* const end = parse_number(padded.c_str(), value);
+  const char* const end = parse_number<Decimal>(padded.c_str(), value);
   return end == padded.c_str() + text.size() ? value : std::nan("");
 }
 
@@ -40,6 +43,29 @@ TEST(NumberText, ReadsWhatPeopleWrite) {
   EXPECT_EQ(parsed("123456789012345678"), 123456789012345678.0);
   EXPECT_EQ(parsed("9007199254740993"), 9007199254740992.0);
   EXPECT_TRUE(std::signbit(parsed("-0")));
+}
+
+TEST(NumberText, ReadsWhatFortranWrites) {
+  EXPECT_EQ(parsed("0.0D0"), 0);
+  EXPECT_EQ(parsed("1.5d+03"), 1500);
+  EXPECT_EQ(parsed("-.25D-1"), -0.025);
+  EXPECT_EQ(parsed("0.1234567890123456789D+01"), 1.2345678901234567);
+  EXPECT_EQ(parsed("1D-999"), 0);
+  for (const char* text : {"1d999", "d5", "1.0dx", "1e3d2"}) {
+    EXPECT_TRUE(std::isnan(parsed(text))) << text;
+  }
+}
+
+TEST(NumberText, ReadsDecimalCommas) {
+  EXPECT_EQ(parsed<','>("2600000,25"), 2600000.25);
+  EXPECT_EQ(parsed<','>("-,5"), -0.5);
+  EXPECT_EQ(parsed<','>("7"), 7);
+  EXPECT_EQ(parsed<','>("1,5e3"), 1500);
+  EXPECT_EQ(parsed<','>("0,1234567890123456789"), 0.1234567890123456789);
+  EXPECT_EQ(parsed<','>("0,0000000000000000000001e-400"), 0);
+  for (const char* text : {"1.5", "1,234,567", "1,234.5", ","}) {
+    EXPECT_TRUE(std::isnan(parsed<','>(text))) << text;
+  }
 }
 
 TEST(NumberText, RefusesWhatIsNoFiniteNumber) {

@@ -56,6 +56,15 @@ bool read_slowly(const char* start, const char* end, double& value) {
   return leading < 0;
 }
 
+bool read_respelled(const char* start, const char* end, double& value) {
+  std::string plain(start, end);
+  for (char& c : plain) {
+    if (c == ',') c = '.';
+    if (c == 'd' || c == 'D') c = 'e';
+  }
+  return read_slowly(plain.data(), plain.data() + plain.size(), value);
+}
+
 }  // namespace number_text
 
 }  // namespace hodt

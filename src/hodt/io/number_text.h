@@ -56,12 +56,21 @@ inline const char* read_digits(const char* p, std::uint64_t& value) {
   return p;
 }
 
-/// Reads the exponent after an 'e' at p; returns p itself if there is none.
+/// Reads the exponent after the letter at p; returns p itself if there is none.
 const char* read_exponent(const char* p, int& exponent);
+
+/// Whether an exponent may follow: after 'e', or 'd' in what Fortran writes.
+constexpr bool is_exponent_letter(char c) {
+  const char lower = static_cast<char>(c | 0x20);
+  return lower == 'e' || lower == 'd';
+}
 
 /// Reads the unsigned number [start, end) by the standard library.
 /// Returns false if it is too large for a double.
 bool read_slowly(const char* start, const char* end, double& value);
+
+/// The same for spellings that the standard library does not know: 1,5 and 1.5d3.
+bool read_respelled(const char* start, const char* end, double& value);
 
 inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
@@ -70,8 +79,10 @@ inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e
 }  // namespace number_text
 
 /// Reads the decimal number at p, rounded to nearest; a number too small for a double is zero.
-/// Returns the end of its text, or nullptr if there is no finite number here.
+/// Returns the end of its text, or nullptr if there is no finite number here. `Decimal` stands
+/// before the decimals.
 /// Requires some character after it that is no part of a number, and eight readable bytes there.
+template <char Decimal = '.'>
 inline const char* parse_number(const char* p, double& value) {
   using namespace number_text;
   const bool negative = *p == '-';
@@ -81,19 +92,23 @@ inline const char* parse_number(const char* p, double& value) {
   p = read_digits(p, mantissa);
   auto digits = p - start;
   int exponent = 0;
-  if (*p == '.') {
+  if (*p == Decimal) {
     const char* const fraction = ++p;
     p = read_digits(p, mantissa);
     digits += p - fraction;
     exponent = static_cast<int>(fraction - p);
   }
   if (digits == 0) return nullptr;
-  if (*p == 'e' || *p == 'E') p = read_exponent(p, exponent);
+  bool plain = Decimal == '.';
+  if (is_exponent_letter(*p)) {
+    plain = plain && (*p | 0x20) == 'e';
+    p = read_exponent(p, exponent);
+  }
   // Clinger's fast path: mantissa and power of ten are both exact doubles, so one rounding remains.
   if (digits <= 19 && mantissa <= (std::uint64_t{1} << 53) && -22 <= exponent && exponent <= 22) {
     const double whole = static_cast<double>(mantissa);
     value = exponent < 0 ? whole / kPowersOfTen[-exponent] : whole * kPowersOfTen[exponent];
-  } else if (!read_slowly(start, p, value)) {
+  } else if (!(plain ? read_slowly : read_respelled)(start, p, value)) {
     return nullptr;
   }
   if (negative) value = -value;
