@@ -11,6 +11,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/gzip.h"
+#include "hodt/io/text_encoding.h"
 
 namespace hodt {
 
@@ -55,13 +56,6 @@ Buffer<char> grown(const Buffer<char>& bytes, std::size_t used) {
   return larger;
 }
 
-void drop_byte_order_mark(InputText& input) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (!input.view().starts_with(mark)) return;
-  input.size -= mark.size();
-  std::memmove(input.bytes.data(), input.bytes.data() + mark.size(), input.size);
-}
-
 void add_padding(InputText& input) {
   input.bytes[input.size] = '\n';
   std::memset(input.bytes.data() + input.size + 1, 0, InputText::kPadding - 1);
@@ -88,7 +82,7 @@ InputText read_input(const std::filesystem::path& path) {
     }
   }
   if (is_gzip(input.view())) input = gunzip(input);
-  drop_byte_order_mark(input);
+  decode(input);
   add_padding(input);
   return input;
 }
@@ -96,9 +90,6 @@ InputText read_input(const std::filesystem::path& path) {
 void require_text(const InputText& input) {
   const std::string_view text = input.view();
   if (text.empty()) throw InputError(fmt::format("{} is empty", input.name));
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw InputError(fmt::format("{} is UTF-16 text; save it as UTF-8", input.name));
-  }
   constexpr std::size_t block = std::size_t{1} << 16;
   if (text.substr(0, block).find('\0') != std::string_view::npos) {
     throw InputError(fmt::format("{} is a binary file in no format that hodt reads", input.name));

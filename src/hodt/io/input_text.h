@@ -28,8 +28,9 @@ struct InputText {
   std::string_view view() const { return {bytes.data(), size}; }
 };
 
-/// Reads all of a file ("-": standard input) and unpacks it if it is gzip, whatever its name; a
-/// byte order mark is dropped. Throws FileError if it cannot be read, InputError if it is damaged.
+/// Reads all of a file ("-": standard input) and unpacks it if it is gzip, whatever its name. A
+/// byte order mark is dropped, and UTF-16 that has one becomes UTF-8. Throws FileError if it cannot
+/// be read, InputError if it is damaged.
 InputText read_input(const std::filesystem::path& path);
 
 /// Throws InputError if the input is empty or is no text.
