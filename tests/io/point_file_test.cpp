@@ -116,7 +116,7 @@ TEST_F(PointFile, NamesFileLineAndProblem) {
       {"1,2,3\n4,abc,6\n", "line 2:", "'abc'"},
       {"1,2,3\n4,0x10,6\n", "line 2:", "'0x10'"},
       {"1,2,3\n4,5 5,6\n", "line 2:", "'5 5'"},
-      {"1;2;3\n4;5,5;6\n", "line 2:", "point"},
+      {"1;2.5;3\n4;5,5;6\n", "line 1:", "decimal point"},
       {"x,y,z\nA,2,3\n", "line 2:", "'A'"},
       {"1,2,abc\n", "line 1:", "'abc'"},
       {"1,2\n3,4,5\n", "line 2:", "third value"},

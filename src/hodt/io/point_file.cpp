@@ -12,7 +12,6 @@
 #include "hodt/io/input_text.h"
 #include "hodt/io/number_text.h"
 #include "hodt/io/parallel_text.h"
-#include "hodt/io/point_table.h"
 
 namespace hodt {
 
@@ -58,9 +57,12 @@ void format_table(const PointSet& points, const TableStyle& style, const Sink& s
 
 }  // namespace
 
-PointSet read_points(const std::filesystem::path& path) {
-  // Later formats are told by their first bytes here, before the text tables, which have none.
-  return parse_point_table(read_input(path));
+PointTable read_point_table(const std::filesystem::path& path, const ColumnChoice& choice) {
+  return parse_point_table(read_input(path), choice);
+}
+
+PointSet read_points(const std::filesystem::path& path, const ColumnChoice& choice) {
+  return read_point_table(path, choice).points;
 }
 
 void write_points(const PointSet& points, const std::filesystem::path& path) {

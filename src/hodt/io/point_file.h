@@ -4,14 +4,18 @@
 #include <filesystem>
 
 #include "hodt/geometry/point_set.h"
+#include "hodt/io/point_table.h"
 
 namespace hodt {
 
 /// Reads points, in the order of their rows; "-" is standard input. Reads text tables (see
-/// point_table.h), also packed with gzip. Every coordinate is finite and points.z is either as long
-/// as points.xy or empty. Throws FileError if the file cannot be read, InputError if it cannot be
-/// used.
-PointSet read_points(const std::filesystem::path& path);
+/// docs/points.md), also packed with gzip. Every coordinate is finite and points.z is either as
+/// long as points.xy or empty. Throws FileError if the file cannot be read, InputError if it cannot
+/// be used, ParameterError if a chosen column is not there.
+PointTable read_point_table(const std::filesystem::path& path, const ColumnChoice& choice = {});
+
+/// The same without the columns that were taken and without warnings.
+PointSet read_points(const std::filesystem::path& path, const ColumnChoice& choice = {});
 
 /// Writes points so that read_points() gives them back bit for bit: .csv with the header x,y,z,
 /// .xyz without, each also with .gz; "-" is CSV to standard output. The file appears complete or

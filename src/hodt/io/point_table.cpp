@@ -1,10 +1,7 @@
 #include "hodt/io/point_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,183 +12,16 @@
 #include "hodt/base/error.h"
 #include "hodt/base/ids.h"
 #include "hodt/base/parallel.h"
-#include "hodt/io/number_text.h"
-#include "hodt/io/table_layout.h"
+#include "hodt/io/file_kind.h"
+#include "hodt/io/point_doubts.h"
+#include "hodt/io/row_parser.h"
+#include "hodt/io/table_sample.h"
+#include "hodt/io/text_encoding.h"
+#include "hodt/io/text_lines.h"
 
 namespace hodt {
 
 namespace {
-
-constexpr char kWhiteSpace = TableLayout::kWhiteSpace;
-constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
-
-const char* next_line(const char* p, const char* end) {
-  if (p >= end) return end;
-  const void* feed = std::memchr(p, '\n', static_cast<std::size_t>(end - p));
-  return feed ? static_cast<const char*>(feed) + 1 : end;
-}
-
-std::string_view line_at(const char* p, const char* end) {
-  std::string_view line(p, static_cast<std::size_t>(next_line(p, end) - p));
-  while (line.ends_with('\n') || line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-const char* skip_blanks(const char* p) {
-  while (*p == ' ' || *p == '\t') ++p;
-  return p;
-}
-
-const char* skip_returns(const char* p) {
-  while (*p == '\r') ++p;
-  return p;
-}
-
-/// Whether the line at p holds no data: blank, or a comment.
-bool is_skipped(const char* p) {
-  p = skip_returns(skip_blanks(p));
-  return *p == '\n' || *p == '#';
-}
-
-/// Reads rows of one layout, fast; whoever finds a row bad asks explain() for the reason.
-class RowParser {
- public:
-  explicit RowParser(const TableLayout& layout) : layout_(layout) {}
-
-  /// Reads the row at p, which holds data, into values by axis. Returns the end of what it read,
-  /// somewhere on the row, or nullptr if the row is bad.
-  const char* parse(const char* p, double* values) const {
-    std::size_t column = 0;
-    bool more = true;  // p stands at the start of a field
-    p = skip_indent(p);
-    for (std::size_t s = 0; s < layout_.source_count(); ++s) {
-      const TableLayout::Source source = layout_.sources[s];
-      for (; more && column < source.column; ++column) p = skip_field(p, more);
-      if (!more) return nullptr;
-      p = parse_field(p, values[source.axis], more);
-      if (!p) return nullptr;
-      ++column;
-    }
-    return more && has_surplus(p) ? nullptr : p;
-  }
-
-  /// What is wrong with a row that parse() refused, with a remedy; empty if the row holds nothing
-  /// but separators.
-  std::string explain(std::string_view row) const {
-    const std::vector<std::string> fields = split_row(row, layout_.separator);
-    if (fields.empty() || (fields.size() == 1 && fields[0].empty())) return {};
-    for (std::size_t s = 0; s < layout_.source_count(); ++s) {
-      const TableLayout::Source source = layout_.sources[s];
-      const std::string problem = source.column < fields.size()
-                                      ? explain_field(fields[source.column], source.axis)
-                                      : missing(source, fields.size());
-      if (!problem.empty()) return problem;
-    }
-    if (!layout_.has_heights && fields.size() > 2) {
-      return "a third value, but the first row has two; give every row a height, or none";
-    }
-    return "misplaced quotes; remove them";
-  }
-
- private:
-  bool blank_separated() const { return layout_.separator == kWhiteSpace; }
-  /// Blanks that belong to no field; a tab can be the separator itself.
-  const char* skip_indent(const char* p) const {
-    if (layout_.separator != '\t') return skip_blanks(p);
-    while (*p == ' ') ++p;
-    return p;
-  }
-
-  /// Steps over the end of a field. `more` tells whether another field follows; nullptr if p is not
-  /// at the end of a field.
-  const char* leave_field(const char* p, bool& more) const {
-    const char* const field_end = p;
-    p = skip_indent(p);
-    if (const char* const feed = skip_returns(p); *feed == '\n') {
-      more = false;
-      return feed;
-    }
-    more = true;
-    if (blank_separated()) return p != field_end ? p : nullptr;
-    return *p == layout_.separator ? p + 1 : nullptr;
-  }
-
-  const char* parse_field(const char* p, double& value, bool& more) const {
-    p = skip_indent(p);
-    const bool quoted = *p == '"';
-    if (quoted) p = skip_blanks(p + 1);
-    p = parse_number(p, value);
-    if (!p) return nullptr;
-    if (quoted) {
-      p = skip_blanks(p);
-      if (*p++ != '"') return nullptr;
-    }
-    return leave_field(p, more);
-  }
-
-  const char* skip_field(const char* p, bool& more) const {
-    bool quoted = false;
-    for (; *p != '\n'; ++p) {
-      if (*p == '"') quoted = !quoted;
-      if (quoted) continue;
-      if (blank_separated() ? (*p == ' ' || *p == '\t') : *p == layout_.separator) break;
-    }
-    if (*p == '\n') {
-      more = false;
-      return p;
-    }
-    return leave_field(p, more);
-  }
-
-  /// Heights in a row of a table that has none.
-  bool has_surplus(const char* p) const {
-    if (layout_.has_heights || layout_.columns > 2) return false;
-    p = skip_indent(p);
-    return *p != '\n' && *p != '\r' && *p != layout_.separator;
-  }
-
-  static std::string missing(TableLayout::Source source, std::size_t columns) {
-    return fmt::format("no value for {}: the row has {} column{}, {} is column {}",
-                       kAxisNames[source.axis], columns, columns == 1 ? "" : "s",
-                       kAxisNames[source.axis], source.column + 1);
-  }
-
-  std::string explain_field(const std::string& field, std::size_t axis) const {
-    const char* const name = kAxisNames[axis];
-    if (field.empty()) {
-      return fmt::format("no value for {}; fill it in or remove the row", name);
-    }
-    const std::string padded = field + std::string("\n") + std::string(8, '\0');
-    double value = 0;
-    const char* const end = parse_number(padded.c_str(), value);
-    if (end && *end == '\n') return {};
-    if (spells_number(field)) {
-      return fmt::format("{} is {}, not a finite number; correct or remove the row", name,
-                         quoted(field));
-    }
-    const bool comma = layout_.separator != ',' && field.find(',') != std::string::npos;
-    return fmt::format("{} for {} is not a number{}", quoted(field), name,
-                       comma ? "; write decimals with a point" : "; correct or remove the row");
-  }
-
-  /// The text for a message: short and printable.
-  static std::string quoted(std::string_view text) {
-    constexpr std::size_t longest = 24;
-    std::string shown;
-    for (const char c : text.substr(0, longest)) {
-      const bool control = static_cast<unsigned char>(c) < 32 || c == 127;
-      shown.push_back(control ? '?' : c);
-    }
-    // Do not cut a UTF-8 character in two.
-    if (text.size() > longest) {
-      while (!shown.empty() && (shown.back() & 0x80)) shown.pop_back();
-      shown += "...";
-    }
-    return "'" + shown + "'";
-  }
-
-  TableLayout layout_;
-};
 
 /// A piece of the table that begins and ends at line ends.
 struct Chunk {
@@ -201,20 +31,6 @@ struct Chunk {
   std::size_t rows = 0;
   const char* bad_row = nullptr;
 };
-
-std::size_t count_line_feeds(const char* p, const char* end) {
-  std::size_t count = 0;
-  // Byte-wide counters, so that the compiler can compare many bytes at once.
-  constexpr std::ptrdiff_t width = 64;
-  while (end - p >= width) {
-    unsigned char counts[width] = {};
-    for (int i = 0; i < 255 && end - p >= width; ++i, p += width) {
-      for (int j = 0; j < width; ++j) counts[j] += p[j] == '\n';
-    }
-    for (const unsigned char c : counts) count += c;
-  }
-  return count + static_cast<std::size_t>(std::count(p, end, '\n'));
-}
 
 std::vector<Chunk> cut(const char* begin, const char* end) {
   constexpr std::ptrdiff_t size = std::ptrdiff_t{1} << 18;
@@ -240,7 +56,9 @@ std::size_t number_lines(std::vector<Chunk>& chunks) {
 }
 
 /// Parses a chunk's rows to consecutive slots from first_line on; stops at a bad row.
-void parse_chunk(const RowParser& parser, Chunk& chunk, PointSet& points) {
+template <char Decimal>
+void parse_chunk(const RowShape& shape, Chunk& chunk, PointSet& points) {
+  const RowParser<Decimal> parser(shape);
   const bool has_heights = points.has_heights();
   std::size_t slot = chunk.first_line;
   for (const char* p = chunk.begin; p < chunk.end; p = next_line(p, chunk.end)) {
@@ -248,7 +66,7 @@ void parse_chunk(const RowParser& parser, Chunk& chunk, PointSet& points) {
     double values[3];
     const char* const stop = parser.parse(p, values);
     if (!stop) {
-      if (parser.explain(line_at(p, chunk.end)).empty()) continue;
+      if (explain_row(line_at(p, chunk.end), shape, Decimal).empty()) continue;
       chunk.bad_row = p;
       return;
     }
@@ -258,6 +76,21 @@ void parse_chunk(const RowParser& parser, Chunk& chunk, PointSet& points) {
     ++slot;
   }
   chunk.rows = slot - chunk.first_line;
+}
+
+/// Parses all chunks; returns the first bad row, or nullptr.
+template <char Decimal>
+const char* parse_chunks(const RowShape& shape, std::vector<Chunk>& chunks, PointSet& points) {
+  parallel_for(0, chunks.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t c = first; c < last; ++c) {
+      chunks[c].bad_row = nullptr;
+      parse_chunk<Decimal>(shape, chunks[c], points);
+    }
+  });
+  for (const Chunk& chunk : chunks) {
+    if (chunk.bad_row) return chunk.bad_row;
+  }
+  return nullptr;
 }
 
 /// Closes the gaps that skipped lines left.
@@ -279,56 +112,82 @@ void compact(const std::vector<Chunk>& chunks, PointSet& points) {
   if (points.has_heights()) points.z.resize(rows);
 }
 
-std::string place(const InputText& input, const char* line) {
-  const auto number = 1 + count_line_feeds(input.begin(), line);
-  return fmt::format("{}, line {}", input.name, number);
+[[noreturn]] void throw_bad_row(const InputText& input, const RowShape& shape, char decimal,
+                                const char* row) {
+  throw InputError(fmt::format("{}: {}", place_of(input, row),
+                               explain_row(line_at(row, input.end()), shape, decimal)));
 }
 
-[[noreturn]] void throw_bad_row(const InputText& input, const RowParser& parser, const char* row) {
-  throw InputError(
-      fmt::format("{}: {}", place(input, row), parser.explain(line_at(row, input.end()))));
-}
-
-[[noreturn]] void throw_bare_returns(const InputText& input) {
-  throw InputError(fmt::format(
-      "{}: lines end in carriage returns without line feeds; save it with line feeds", input.name));
-}
-
-[[noreturn]] void throw_no_row(const InputText& input) {
-  throw InputError(fmt::format("{} holds no data row; a row is x, y and, if known, z", input.name));
-}
-
-}  // namespace
-
-PointSet parse_point_table(const InputText& input) {
-  require_text(input);
-  const char* const end = input.end();
-  const char* begin = input.begin();
-  while (begin < end && is_skipped(begin)) begin = next_line(begin, end);
-  if (begin >= end) throw_no_row(input);
-  const std::string_view first_row = line_at(begin, end);
-  if (first_row.find('\r') != std::string_view::npos) throw_bare_returns(input);
-  const TableLayout layout = layout_of(first_row, place(input, begin));
-  if (layout.has_header) begin = next_line(begin, end);
-
-  std::vector<Chunk> chunks = cut(begin, end);
+/// The points of all rows. Which sign stands before decimals only the rows can tell: a table whose
+/// numbers do not all have points is tried with commas.
+PointSet parse_rows(const InputText& input, const TableLayout& layout) {
+  std::vector<Chunk> chunks = cut(layout.body, input.end());
   const std::size_t lines = number_lines(chunks);
   if (lines >= kNone) {
     throw InputError(fmt::format("{} has more rows than hodt can number ({})", input.name, kNone));
   }
   PointSet points;
   points.xy.resize(lines);
-  if (layout.has_heights) points.z.resize(lines);
-  const RowParser parser(layout);
-  parallel_for(0, chunks.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t c = first; c < last; ++c) parse_chunk(parser, chunks[c], points);
-  });
-  for (const Chunk& chunk : chunks) {
-    if (chunk.bad_row) throw_bad_row(input, parser, chunk.bad_row);
+  const RowShape& shape = layout.shape;
+  if (shape.has_heights) points.z.resize(lines);
+  if (const char* const bad = parse_chunks<'.'>(shape, chunks, points)) {
+    // Under the separator itself a comma in quotes can also divide thousands.
+    if (shape.separator == ',' || !has_decimal_comma(line_at(bad, input.end()), shape))
+      throw_bad_row(input, shape, '.', bad);
+    if (layout.commas_may_divide_thousands) throw_bad_row(input, shape, '.', bad);
+    if (const char* const worse = parse_chunks<','>(shape, chunks, points))
+      throw_bad_row(input, shape, ',', worse);
   }
   compact(chunks, points);
-  if (points.size() == 0) throw_no_row(input);
   return points;
+}
+
+void check_announcement(const InputText& input, const TableLayout& layout, std::size_t rows) {
+  if (!layout.announced_rows || *layout.announced_rows == rows) return;
+  throw InputError(
+      fmt::format("{}: its first line says that there are {} points, but there are {}; correct or "
+                  "remove that line if the file is complete",
+                  input.name, *layout.announced_rows, rows));
+}
+
+/// Throws where the values speak against what was taken for x without a name that says so.
+void check_places(const InputText& input, const TableLayout& layout, const PointSet& points) {
+  if (layout.known == ColumnsKnown::told) return;
+  const bool counts = x_counts(points);
+  const bool many_columns = layout.shape.columns > 3;
+  const bool doubtful =
+      many_columns ? counts || x_could_number_points(points) : counts && layout.unknown_names;
+  if (!doubtful) return;
+  throw InputError(
+      fmt::format("{}: the first column {}, and no name says what it is; {}", input.name,
+                  counts ? "counts the rows" : "could be the numbers of the points", kSayColumns));
+}
+
+std::vector<std::string> warnings_of(const TableLayout& layout, const PointSet& points) {
+  std::vector<std::string> warnings = layout.warnings;
+  if (x_counts(points)) {
+    warnings.push_back(fmt::format(
+        "x counts {}, {}, {}, ...: if column {} holds the numbers of the points, {}",
+        points.xy[0].x, points.xy[1].x, points.xy[2].x, layout.taken.x.number, kSayColumns));
+  }
+  for (std::string& warning : warn_of_no_data(points)) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
+}  // namespace
+
+PointTable parse_point_table(InputText input, const ColumnChoice& choice) {
+  require_table(input);
+  mend_line_ends(input);
+  const TableSample sample = sample_of(input);
+  if (sample.rows.empty()) throw_no_row(input);
+  const TableLayout layout = layout_of(input, sample, choice);
+  PointSet points = parse_rows(input, layout);
+  check_announcement(input, layout, points.size());
+  if (points.size() == 0) throw_no_row(input);
+  check_places(input, layout, points);
+  std::vector<std::string> warnings = warnings_of(layout, points);
+  return {std::move(points), layout.taken, std::move(warnings)};
 }
 
 }  // namespace hodt

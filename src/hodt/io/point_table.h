@@ -1,15 +1,27 @@
 // Points from text tables: CSV, TSV and white-space separated XYZ.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "hodt/geometry/point_set.h"
+#include "hodt/io/column_choice.h"
 #include "hodt/io/input_text.h"
+#include "hodt/io/table_layout.h"
 
 namespace hodt {
 
-/// Parses a table of points. The separator (semicolon, tab, comma or white space) shows in the
-/// first row. If that is a header, it says which columns are x, y and z, by name; without one, or
-/// with names that say nothing, they are the first three. Blank lines and lines that start with '#'
-/// are skipped. Throws InputError, naming the line (all lines count, the header too).
-PointSet parse_point_table(const InputText& input);
+/// Points, and how they were read.
+struct PointTable {
+  PointSet points;
+  TakenColumns columns;
+  /// What may be wrong with the points although they could be read, each a sentence.
+  std::vector<std::string> warnings;
+};
+
+/// Parses a table of points. docs/points.md says which tables are understood; what is not, is
+/// refused. Throws InputError, naming the line (all lines count, the header too), or ParameterError
+/// if a chosen column is not there.
+PointTable parse_point_table(InputText input, const ColumnChoice& choice = {});
 
 }  // namespace hodt

@@ -3,15 +3,21 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "hodt/io/column_choice.h"
+#include "hodt/io/input_text.h"
+#include "hodt/io/table_sample.h"
 
 namespace hodt {
 
-struct TableLayout {
-  /// The separator of fields that means runs of spaces and tabs.
-  static constexpr char kWhiteSpace = ' ';
+/// What every row has to look like.
+struct RowShape {
+  /// The axis of a column that holds x, y and maybe z as text: POINT Z (1 2 3).
+  static constexpr std::size_t kPointText = 3;
 
   /// A column that holds a coordinate: 0 for x, 1 for y, 2 for z.
   struct Source {
@@ -20,23 +26,51 @@ struct TableLayout {
   };
 
   char separator = ',';
-  bool has_header = false;
   bool has_heights = false;
-  std::size_t columns = 0;  ///< of the first row
-  /// By column; the third counts only if has_heights.
-  std::array<Source, 3> sources;
-
-  std::size_t source_count() const { return has_heights ? 3 : 2; }
+  bool point_text_has_height = false;
+  bool height_from_point_text = false;
+  bool has_header = false;
+  bool ends_in_words = false;      ///< the last column holds words, which may contain the separator
+  std::size_t columns = 0;         ///< no row has more
+  std::size_t needed_columns = 0;  ///< no row has fewer
+  std::array<Source, 3> sources;   ///< by column
+  std::size_t source_count = 0;
 };
 
-/// Reads the layout off the table's first row. Throws InputError, naming `where`, if there are
-/// fewer than two columns or the header names some coordinates without the others.
-TableLayout layout_of(std::string_view first_row, const std::string& where);
+/// A column that was taken for a coordinate.
+struct TakenColumn {
+  std::size_t number = 0;  ///< from 1
+  std::string name;        ///< empty if it has none
+};
 
-/// The fields of a row, quotes and outer blanks taken off.
-std::vector<std::string> split_row(std::string_view row, char separator);
+struct TakenColumns {
+  TakenColumn x, y;
+  std::optional<TakenColumn> z;
+};
 
-/// Whether the text spells a number, finite or not.
-bool spells_number(std::string_view text);
+/// How sure it is which columns are the coordinates.
+enum class ColumnsKnown {
+  told,      ///< by names, or by the user
+  by_place,  ///< the first ones, for want of names
+};
+
+struct TableLayout {
+  RowShape shape;
+  const char* body = nullptr;  ///< behind the header
+  ColumnsKnown known = ColumnsKnown::told;
+  bool commas_may_divide_thousands = false;  ///< if there are decimal commas at all
+  bool unknown_names = false;                ///< there is a header whose names say nothing
+  TakenColumns taken;
+  /// The number of rows that the file says it has.
+  std::optional<std::uint64_t> announced_rows;
+  std::vector<std::string> warnings;
+};
+
+/// Reads the layout off the sample, which has a row. Throws InputError, naming the line, if it does
+/// not say which columns are x and y.
+TableLayout layout_of(const InputText& input, const TableSample& sample,
+                      const ColumnChoice& choice);
+
+[[noreturn]] void throw_no_row(const InputText& input);
 
 }  // namespace hodt

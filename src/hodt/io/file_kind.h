@@ -1,0 +1,18 @@
+// What a file is that is no table of points.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "hodt/io/input_text.h"
+
+namespace hodt {
+
+/// What the file is, and what to do with it: "a LAS point cloud; convert it to text". Empty if its
+/// bytes look like no other format that holds points.
+std::string foreign_format(std::string_view bytes);
+
+/// Throws InputError, saying what the input is, unless it can be a table of points.
+void require_table(const InputText& input);
+
+}  // namespace hodt
