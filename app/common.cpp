@@ -46,11 +46,6 @@ double parse_non_negative(std::string_view option, std::string_view what, const 
   return value;
 }
 
-void add_points_input(CLI::App& command, std::string& input) {
-  command.add_option("INPUT", input, "Points: CSV, TSV or XYZ, also .gz; - is standard input")
-      ->required();
-}
-
 void add_threads(CLI::App& command, std::string& threads) {
   command.add_option("--threads", threads, "Threads that may compute (default: all cores)")
       ->type_name("T");

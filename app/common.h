@@ -73,9 +73,6 @@ auto naming(const std::string& input, const F& f) {
   }
 }
 
-/// The positional INPUT of a command that reads points.
-void add_points_input(CLI::App& command, std::string& input);
-
 /// The option --threads, as text, with its description.
 void add_threads(CLI::App& command, std::string& threads);
 /// Its value for ThreadLimit.

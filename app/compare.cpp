@@ -6,6 +6,7 @@
 #include "app/comparison.h"
 #include "app/comparison_page.h"
 #include "app/comparison_table.h"
+#include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -13,7 +14,6 @@
 #include "hodt/io/atomic_write.h"
 #include "hodt/io/file_name.h"
 #include "hodt/io/input_text.h"
-#include "hodt/io/point_file.h"
 
 namespace hodt::app {
 
@@ -30,10 +30,11 @@ constexpr std::string_view kAllObjectives[] = {
 };
 
 struct Arguments {
-  std::string input;
+  PointsInput input;
   std::string orders = "0-8";
   std::vector<std::string> objectives;
   std::string truth;
+  std::string truth_columns;
   std::string time_limit;
   std::string threads;
   std::string output;
@@ -119,14 +120,14 @@ void check_files(const Arguments& arguments) {
       throw ParameterError(
           fmt::format("cannot write '{}': a report is a page, .html", arguments.output));
   }
-  if (arguments.input == "-" && arguments.truth == "-")
+  if (arguments.input.file == "-" && arguments.truth == "-")
     throw ParameterError("INPUT and --truth cannot both be standard input");
-  check_targets(arguments.input, arguments.output, arguments.json);
+  check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.truth, arguments.output, arguments.json);
 }
 
-PointSet read_truth(const std::string& path) {
-  PointSet truth = read_points(path);
+PointSet read_truth(const std::string& path, const std::string& columns) {
+  PointSet truth = read_input_points(path, columns, "--truth-columns").points;
   if (!truth.has_heights())
     throw InputError(
         fmt::format("{}: the truth needs heights, and the points have none; add a z "
@@ -174,25 +175,26 @@ Json truth_json(const Comparison& comparison) {
       {"delaunay_max_error", truth.delaunay ? to_json(truth.delaunay->max_error) : Json(nullptr)}};
 }
 
-Json comparison_json(const Comparison& comparison) {
+Json comparison_json(const Comparison& comparison, const TakenColumns& columns) {
   Json objectives = Json::array();
   for (const ObjectiveComparison& objective : comparison.objectives) {
     Json rows = Json::array();
     for (const ComparisonRow& row : objective.rows) rows.push_back(row_json(row));
     objectives.push_back({{"objective", name_of(objective.objective)}, {"rows", std::move(rows)}});
   }
-  return {{"points", comparison.points},
-          {"duplicates", comparison.duplicates},
-          {"delaunay_pits", pits_json(comparison.delaunay_pits)},
-          {"truth", truth_json(comparison)},
-          {"orders", comparison.orders},
-          {"objectives", std::move(objectives)}};
+  return {
+      {"points", comparison.points},         {"columns", to_json(columns)},
+      {"duplicates", comparison.duplicates}, {"delaunay_pits", pits_json(comparison.delaunay_pits)},
+      {"truth", truth_json(comparison)},     {"orders", comparison.orders},
+      {"objectives", std::move(objectives)}};
 }
 
-std::string summary(const Comparison& comparison, const std::string& output) {
+std::string summary(const Comparison& comparison, const TakenColumns& columns,
+                    const std::string& output) {
   std::string text;
   for (const Fact& fact : facts_of(comparison))
     text += fmt::format("{:<9} {}\n", fact.name, fact.text);
+  text += fmt::format("{:<9} {}\n", "columns", text_of(columns));
   if (!output.empty()) text += fmt::format("{:<9} {}\n", "written", output);
   for (const ObjectiveComparison& objective : comparison.objectives)
     text += fmt::format("\n{}\n{}", name_of(objective.objective),
@@ -207,31 +209,36 @@ int run(const Arguments& arguments) {
   const std::vector<Choice> choices = parse_objectives(arguments.objectives);
   options.time_limit = parse_seconds(arguments.time_limit);
   const ThreadLimit limit(parse_threads(arguments.threads));
+  check_columns(arguments.input.columns);
+  check_columns(arguments.truth_columns, "--truth-columns");
   check_files(arguments);
 
   Comparison comparison;
+  TakenColumns columns;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointSet points = read_points(arguments.input);
-    options.objectives = usable(choices, points, arguments.input);
+    const PointTable table = read_input_points(arguments.input);
+    const PointSet& points = table.points;
+    columns = table.columns;
+    options.objectives = usable(choices, points, arguments.input.file);
     std::optional<PointSet> truth;
     if (!arguments.truth.empty()) {
       if (!points.has_heights())
         throw InputError(
             fmt::format("{}: --truth compares heights, and the points have none; add "
                         "a z column",
-                        display_name(arguments.input)));
-      truth = read_truth(arguments.truth);
+                        display_name(arguments.input.file)));
+      truth = read_truth(arguments.truth, arguments.truth_columns);
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    comparison = naming(arguments.input,
+    comparison = naming(arguments.input.file,
                         [&] { return compare(points, truth ? &*truth : nullptr, options); });
   }
   if (!arguments.output.empty())
-    atomic_write(arguments.output, comparison_page(comparison, display_name(arguments.input)));
-  if (!arguments.json.empty()) write_json(comparison_json(comparison), arguments.json);
-  if (arguments.json != "-") print(summary(comparison, arguments.output));
+    atomic_write(arguments.output, comparison_page(comparison, display_name(arguments.input.file)));
+  if (!arguments.json.empty()) write_json(comparison_json(comparison, columns), arguments.json);
+  if (arguments.json != "-") print(summary(comparison, columns, arguments.output));
   return kOk;
 }
 
@@ -263,6 +270,8 @@ void add_compare(CLI::App& app, Action& action) {
       .add_option("--truth", arguments->truth,
                   "Points with known heights; each surface's errors there are told")
       ->type_name("FILE");
+  add_columns(command, "--truth-columns", arguments->truth_columns,
+              "Columns of the truth that hold x, y and z, as in --columns");
   command
       .add_option("--time-limit", arguments->time_limit,
                   "Seconds that each search may take (default: no limit)")

@@ -3,18 +3,18 @@
 #include <vector>
 
 #include "app/common.h"
+#include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
-#include "hodt/io/point_file.h"
 
 namespace hodt::app {
 
 namespace {
 
 struct Arguments {
-  std::string input;
+  PointsInput input;
   std::string threads;
   std::string json;
 };
@@ -29,6 +29,7 @@ struct Findings {
   std::size_t distinct = 0;
   Range x, y;
   std::optional<Range> z;
+  TakenColumns columns;
   bool collinear = false;
   /// What stands in the way of a triangulation, or is worth knowing.
   std::vector<std::string> hints;
@@ -53,8 +54,10 @@ bool all_collinear(const std::vector<Point>& points) {
                      [&](const Point& p) { return orient(first, *other, p) == 0; });
 }
 
-Findings examine(const PointSet& points) {
+Findings examine(const PointTable& table) {
+  const PointSet& points = table.points;
   Findings findings;
+  findings.columns = table.columns;
   findings.points = points.size();
   findings.distinct = count_distinct(points);
   findings.x = range_of(points.xy, [](const Point& p) { return p.x; });
@@ -70,6 +73,7 @@ Findings examine(const PointSet& points) {
     findings.hints.push_back("of points with equal x and y, the lowest stays");
   }
   if (!findings.z) findings.hints.push_back("no heights: planar objectives and 'none' only");
+  findings.hints.insert(findings.hints.end(), table.warnings.begin(), table.warnings.end());
   return findings;
 }
 
@@ -83,6 +87,7 @@ Json findings_json(const Findings& findings) {
           {"duplicates", findings.points - findings.distinct},
           {"x", to_json(findings.x)},
           {"y", to_json(findings.y)},
+          {"columns", app::to_json(findings.columns)},
           {"heights", findings.z.has_value()},
           {"z", findings.z ? to_json(*findings.z) : Json(nullptr)},
           {"collinear", findings.collinear},
@@ -96,6 +101,7 @@ std::string summary(const Findings& findings) {
   std::string text =
       fmt::format("{:<7} {} ({} distinct, {})\n", "points", findings.points, findings.distinct,
                   counted(findings.points - findings.distinct, "duplicate"));
+  text += fmt::format("{:<7} {}\n", "columns", text_of(findings.columns));
   text += line("x", findings.x) + line("y", findings.y);
   text += findings.z ? line("z", *findings.z) : "z       none\n";
   for (const std::string& hint : findings.hints) text += fmt::format("{:<7} {}\n", "hint", hint);
@@ -104,14 +110,16 @@ std::string summary(const Findings& findings) {
 
 int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_targets(arguments.input, {}, arguments.json);
+  check_targets(arguments.input.file, {}, arguments.json);
   Findings findings;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointSet points = read_points(arguments.input);
+    // What may be wrong is among the hints, not on standard error.
+    const PointTable table = read_point_table(
+        arguments.input.file, parse_column_choice("--columns", arguments.input.columns));
     progress.report("counting");
-    findings = examine(points);
+    findings = examine(table);
   }
   if (!arguments.json.empty()) write_json(findings_json(findings), arguments.json);
   if (arguments.json != "-") print(summary(findings));
@@ -130,6 +138,7 @@ void add_info(CLI::App& app, Action& action) {
   command.footer(
       "Examples:\n"
       "  hodt info terrain.csv\n"
+      "  hodt info survey.csv --columns x=Ost,y=Nord,z=4\n"
       "  hodt info terrain.xyz.gz --json -");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }

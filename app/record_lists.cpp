@@ -5,7 +5,6 @@
 #include "hodt/base/parallel.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/io/number_text.h"
-#include "hodt/io/point_file.h"
 
 namespace hodt::app {
 
@@ -46,12 +45,14 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
                const ProduceLines& produce) {
   const Index k = parse_order(arguments.order);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_targets(arguments.input, arguments.output, {});
+  check_columns(arguments.input.columns);
+  check_targets(arguments.input.file, arguments.output, {});
   std::string summary;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointSet points = read_points(arguments.input);
+    const PointTable table = read_input_points(arguments.input);
+    const PointSet& points = table.points;
     progress.report("Delaunay triangulation");
     const Delaunay triangulation = delaunay(points);
     const std::size_t distinct = triangulation.vertices.size();
@@ -71,6 +72,7 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
                           counted(points.size() - distinct, "duplicate"));
     summary +=
         fmt::format("{:<9} {}, {} of order {} or less\n", things, count, arguments.list_class, k);
+    summary += fmt::format("{:<9} {}\n", "columns", text_of(table.columns));
     summary += fmt::format("{:<9} {}\n", "written", arguments.output);
   }
   if (arguments.output != "-") print(summary);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/common.h"
+#include "app/points_input.h"
 
 #include "hodt/io/atomic_write.h"
 #include "hodt/order/delaunay_graph.h"
@@ -16,7 +17,7 @@
 namespace hodt::app {
 
 struct ListArguments {
-  std::string input;
+  PointsInput input;
   std::string output;
   std::string order = "4";
   std::string list_class;

@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "app/common.h"
+#include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/io/places_file.h"
-#include "hodt/io/point_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/pipeline.h"
 
@@ -17,7 +17,7 @@ namespace hodt::app {
 namespace {
 
 struct Arguments {
-  std::string input;
+  PointsInput input;
   std::string output;
   std::string order = "4";
   std::string objective = "min-local-minima";
@@ -44,8 +44,9 @@ Json value_json(const Report& report) {
           {"optimal", report.value->optimal}};
 }
 
-Json report_json(const Report& report) {
+Json report_json(const Report& report, const TakenColumns& columns) {
   return {{"points", report.points},
+          {"columns", to_json(columns)},
           {"duplicates", report.duplicates},
           {"triangles", report.triangles},
           {"k", report.k},
@@ -74,9 +75,10 @@ std::string extrema_line(std::string_view name, const Report& report,
                      before.boundary, after.boundary);
 }
 
-std::string summary(const Report& report, const Arguments& arguments) {
+std::string summary(const Report& report, const TakenColumns& columns, const Arguments& arguments) {
   std::string text = fmt::format("{:<13} {}, {} dropped\n", "points", report.points,
                                  counted(report.duplicates, "duplicate"));
+  text += fmt::format("{:<13} {}\n", "columns", text_of(columns));
   text += fmt::format("{:<13} {}, of order {} at most (allowed: {})\n", "triangles",
                       report.triangles, report.order, report.k);
   if (report.value) {
@@ -104,7 +106,7 @@ TriangulateOptions options_of(const Arguments& arguments) {
   options.time_limit = parse_seconds(arguments.time_limit);
   options.min_pit_depth = parse_non_negative("--min-pit-depth", "a depth", arguments.min_pit_depth);
   if (arguments.keep.empty()) return options;
-  if (arguments.input == "-" && arguments.keep == "-")
+  if (arguments.input.file == "-" && arguments.keep == "-")
     throw ParameterError("INPUT and --keep cannot both be standard input");
   Places places = read_places(arguments.keep);
   options.keep_places = std::move(places.points);
@@ -116,27 +118,30 @@ int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
   TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
+  check_columns(arguments.input.columns);
   check_output_extension(arguments.output);
-  check_targets(arguments.input, arguments.output, arguments.json);
+  check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.keep, arguments.output, arguments.json);
 
   Stopwatch watch;
   TriangulateResult result;
+  TakenColumns columns;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointSet points = read_points(arguments.input);
+    const PointTable table = read_input_points(arguments.input);
+    columns = table.columns;
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    result = naming(arguments.input, [&] { return triangulate(points, options); });
+    result = naming(arguments.input.file, [&] { return triangulate(table.points, options); });
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
     write_tin(result.tin, arguments.output);
     result.report.seconds.write = watch.lap();
   }
-  if (!arguments.json.empty()) write_json(report_json(result.report), arguments.json);
-  if (arguments.json != "-") print(summary(result.report, arguments));
+  if (!arguments.json.empty()) write_json(report_json(result.report, columns), arguments.json);
+  if (arguments.json != "-") print(summary(result.report, columns, arguments));
   return kOk;
 }
 
@@ -183,6 +188,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       "circumradius, enclosing-radius, inradius, length, flat-area, abn, jnd, wabn.\n"
       "Examples:\n"
       "  hodt triangulate terrain.csv -o terrain.ply\n"
+      "  hodt triangulate survey.txt --columns x=3,y=2,z=4 -o survey.ply\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
       "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

@@ -6,14 +6,13 @@
 #include <cmath>
 #include <system_error>
 
-#include "app/common.h"
+#include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/io/atomic_write.h"
 #include "hodt/io/geojson.h"
-#include "hodt/io/point_file.h"
 #include "hodt/order/voronoi/voronoi_polygons.h"
 
 namespace hodt::app {
@@ -21,7 +20,7 @@ namespace hodt::app {
 namespace {
 
 struct Arguments {
-  std::string input;
+  PointsInput input;
   std::string output;
   std::string order;
   std::string box;
@@ -70,13 +69,15 @@ int run(const Arguments& arguments) {
   std::optional<Box> box;
   if (!arguments.box.empty()) box = parse_box(arguments.box);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_targets(arguments.input, arguments.output, {});
+  check_columns(arguments.input.columns);
+  check_targets(arguments.input.file, arguments.output, {});
 
   std::string summary;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointSet points = read_points(arguments.input);
+    const PointTable table = read_input_points(arguments.input);
+    const PointSet& points = table.points;
     progress.report("Voronoi diagram");
     const Delaunay triangulation = delaunay(points);
     const std::size_t distinct = triangulation.vertices.size();
@@ -92,6 +93,7 @@ int run(const Arguments& arguments) {
         write_cells(diagram, triangulation.vertices, *box, arguments.output);
     summary = fmt::format("{:<8} {}, {} dropped\n", "points", points.size(),
                           counted(points.size() - distinct, "duplicate"));
+    summary += fmt::format("{:<8} {}\n", "columns", text_of(table.columns));
     summary += fmt::format("{:<8} {} of order {}, {} with an area in the box\n", "cells",
                            diagram.cell_count(), order, written);
     summary += fmt::format("{:<8} {}\n", "written", arguments.output);
