@@ -48,7 +48,8 @@ Buffer<double> water_levels(const TriangleMesh& mesh, std::span<const double> z)
     const auto [level, v] = shores.top();
     shores.pop();
     // What is reached first is reached lowest, so each vertex enters the queue once.
-    for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { reach(w, std::max(level, z[w])); });
+    for_each_neighbour(mesh, outgoing[v],
+                       [&, level = level](VertexId w) { reach(w, std::max(level, z[w])); });
   }
   return levels;
 }

@@ -13,7 +13,7 @@ std::optional<bool> holds_only_by(std::size_t most, const DelaunayGraph& graph,
   const TriangleMesh& mesh = graph.mesh;
   const auto [a, b, c] = corners;
   const Circle circle(graph.point(a), graph.point(b), graph.point(c));
-  const auto is_inside = [&](VertexId w) {
+  const auto is_inside = [&, a = a, b = b, c = c](VertexId w) {
     // To ask about a corner would send it to exact arithmetic, for a known answer.
     return w != a && w != b && w != c && circle.contains(graph.point(w));
   };

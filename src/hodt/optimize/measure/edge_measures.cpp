@@ -64,7 +64,7 @@ double EdgeValues::across(VertexId a, VertexId b, const Gradient& f, const Gradi
   double value = 0;
   const auto [x, y] = along(a, b);
   with_measure(objective().measure,
-               [&](const auto& measure) { value = finite(measure(x, y, f, g)); });
+               [&, x = x, y = y](const auto& measure) { value = finite(measure(x, y, f, g)); });
   return value;
 }
 

@@ -52,12 +52,12 @@ HODT_CLONES Counts count_inside(const float* x, const float* y, const float* r, 
     const float a = 2.2f * c, b = 0.7f * c, d = 0.04f * c;
     const bool right = c + slack<0, left = c - slack> 0;
     const bool in1 = n + a < 0, in2 = n + b < 0, in3 = n - d < 0, in4 = n - b < 0, in5 = n - a < 0;
-    low += right & in1 ? 1u : 0u;
-    low += in1 & in2 ? 1u << 10 : 0u;
-    low += in2 & in3 ? 1u << 20 : 0u;
-    high += in3 & in4 ? 1u : 0u;
-    high += in4 & in5 ? 1u << 10 : 0u;
-    high += in5 & left ? 1u << 20 : 0u;
+    low += (right & in1) ? 1u : 0u;
+    low += (in1 & in2) ? 1u << 10 : 0u;
+    low += (in2 & in3) ? 1u << 20 : 0u;
+    high += (in3 & in4) ? 1u : 0u;
+    high += (in4 & in5) ? 1u << 10 : 0u;
+    high += (in5 & left) ? 1u << 20 : 0u;
   }
   return {low, high};
 }
