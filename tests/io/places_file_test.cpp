@@ -81,6 +81,18 @@ TEST(PlacesFile, refuses_what_it_cannot_use) {
         R"({"type": "FeatureCollection"})"})
     EXPECT_NE(refusal_of(text).find("places.geojson: this is no GeoJSON"), std::string::npos)
         << text;
+  // No lists, no numbers: the JSON library would take them all the same.
+  for (
+      const char* text :
+      {R"({"type": "MultiPoint", "coordinates": {"a": [1, 2]}})",
+       R"({"type": "MultiPoint", "coordinates": null})",
+       R"({"type": "MultiPolygon", "coordinates": {"a": [[[0, 0], [1, 0], [0, 1]]]}})",
+       R"({"type": "Polygon", "coordinates": [{"a": [0, 0]}]})",
+       R"({"type": "FeatureCollection", "features": {"a": {"type": "Feature", "geometry": null}}})",
+       R"({"type": "GeometryCollection", "geometries": null})",
+       R"({"type": "Point", "coordinates": [true, false]})",
+       R"({"type": "Point", "coordinates": {"0": 1, "1": 2}})"})
+    EXPECT_NE(refusal_of(text).find("this is no GeoJSON"), std::string::npos) << text;
   EXPECT_NE(refusal_of(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})")
                 .find("places.geojson: it has a LineString"),
             std::string::npos);

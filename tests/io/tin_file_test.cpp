@@ -192,6 +192,151 @@ TEST_F(TinFile, NamesTheProblemOfABadPly) {
   }
 }
 
+const std::string kTextHeader =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string kTextBody = "0 0 5\n1 0 6\n0 1 7\n3 0 1 2\n";
+
+/// The text with the first `old` replaced.
+std::string with(std::string text, std::string_view old, std::string_view replacement) {
+  return text.replace(text.find(old), old.size(), replacement);
+}
+
+TEST_F(TinFile, ReadsPlyWithCapitalCoordinates) {
+  const std::string header = with(with(with(kTextHeader, " x", " X"), " y", " Y"), " z", " Z");
+  const Tin tin = read("a.ply", header + kTextBody);
+  EXPECT_EQ(tin.points.xy, (std::vector<Point>{{0, 0}, {1, 0}, {0, 1}}));
+  EXPECT_EQ(tin.points.z, (std::vector<double>{5, 6, 7}));
+}
+
+TEST_F(TinFile, ReadsPlyWithLineEndsOfOldMacs) {
+  std::string text = kTextHeader + kTextBody;
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  for (const char* name : {"a.ply", "a"})
+    EXPECT_EQ(read(name, text).points.z, (std::vector<double>{5, 6, 7}));
+}
+
+TEST_F(TinFile, RefusesPlyThatSaysAThingTwice) {
+  struct Case {
+    const char* old;
+    const char* replacement;
+    const char* message;
+  };
+  const Case cases[] = {
+      // The second element had no z: fewer heights than points.
+      {"element face", "element vertex 1\nproperty float x\nproperty float y\nelement face",
+       "announces two elements 'vertex'"},
+      {"end_header", "element face 0\nproperty list uchar int vertex_indices\nend_header",
+       "announces two elements 'face'"},
+      {"property float z", "property float x", "announces 'x' twice"},
+      {"property float z", "property float z\nproperty float Z", "announces 'z' twice"},
+      {"end_header", "property list uchar int vertex_index\nend_header",
+       "announces 'vertex_indices' twice"},
+      {"format ascii 1.0", "format ascii 1.0\nformat binary_big_endian 1.0",
+       "line 3: a second format line"},
+  };
+  for (const Case& c : cases) {
+    const std::string message = error("a.ply", with(kTextHeader, c.old, c.replacement) + kTextBody);
+    EXPECT_NE(message.find(c.message), std::string::npos) << message;
+  }
+}
+
+TEST_F(TinFile, RefusesPlyWhoseHeaderIsNotUnderstood) {
+  struct Case {
+    const char* old;
+    const char* replacement;
+    const char* message;
+  };
+  const Case cases[] = {
+      {"vertex 3", "vertex -3", "line 3: '-3' is no count"},
+      {"vertex 3", "vertex 0x3", "line 3: '0x3' is no count"},
+      {"vertex 3", "vertex 3.0", "line 3: '3.0' is no count"},
+      {"vertex 3", "vertex +3", "line 3: '+3' is no count"},
+      {"vertex 3", "vertex 3 4", "line 3: '4' is one word too many"},
+      {"vertex 3", "vertex 4294967295", "line 3: more elements"},
+      {"vertex 3", "vertex 18446744073709551619", "line 3: more elements"},
+      {"float x", "float x y", "line 4: 'y' is one word too many"},
+      {"element vertex", "elment vertex", "line 3: 'elment'"},
+      {"ascii 1.0", "ascii 2.0", "line 2: unknown version '2.0'"},
+      {"ascii 1.0", "ascii", "line 2: unknown version ''"},
+      {"float x", "list uchar float x", "'x' that is a list"},
+      {"list uchar int vertex_indices", "int vertex_indices", "'vertex_indices' that is no list"},
+  };
+  for (const Case& c : cases) {
+    const std::string message = error("a.ply", with(kTextHeader, c.old, c.replacement) + kTextBody);
+    EXPECT_NE(message.find(c.message), std::string::npos) << message;
+  }
+}
+
+TEST_F(TinFile, DoesNotBelieveWhatPlyAnnounces) {
+  // Items without properties take no room: there may be four billion of them, in no time.
+  const std::string nothing = "element nothing 4294967294\nelement face";
+  EXPECT_EQ(read("a.ply", with(kTextHeader, "element face", nothing) + kTextBody).points.size(),
+            3u);
+  for (const char* count : {"4", "4294967294"}) {
+    const std::string vertices = "vertex " + std::string(count);
+    EXPECT_NE(error("a.ply", with(kTextHeader, "vertex 3", vertices) + "0 0 5\n1 0 6\n0 1 7\n")
+                  .find("vertex 3: the file ends here"),
+              std::string::npos);
+    const std::string binary =
+        with(with(kTextHeader, "ascii", "binary_little_endian"), "vertex 3", vertices);
+    EXPECT_NE(error("a.ply", binary + std::string(36, '\1')).find("vertex 3: the file ends here"),
+              std::string::npos);
+  }
+  // A list of four billion numbers.
+  const std::string list =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\n"
+      "property list uint uchar extra\nproperty float x\nproperty float y\n"
+      "end_header\n\xfe\xff\xff\xff";
+  EXPECT_NE(error("a.ply", list + std::string(99, '\1')).find("vertex 0: the file ends here"),
+            std::string::npos);
+}
+
+TEST_F(TinFile, RefusesPlyThatGoesOnAfterItsEnd) {
+  EXPECT_EQ(read("a.ply", kTextHeader + kTextBody + " \r\n\n").points.size(), 3u);
+  for (const std::string rest : {"3 0 2 1\n", "x"})
+    EXPECT_NE(error("a.ply", kTextHeader + kTextBody + rest).find("goes on after the last element"),
+              std::string::npos);
+  EXPECT_NE(error("a.ply", binary_square(false) + "\3").find("goes on after the last element"),
+            std::string::npos);
+}
+
+TEST_F(TinFile, RefusesTextPlyWhoseRowsDoNotFit) {
+  const auto of = [&](const std::string& body) { return error("a.ply", kTextHeader + body); };
+  const std::string surplus = ": its line holds more numbers than the header announces";
+  EXPECT_NE(of("0 0 5 255\n1 0 6 255\n0 1 7 255\n3 0 1 2\n").find("vertex 0" + surplus),
+            std::string::npos);
+  EXPECT_NE(of("0 0 5\n1 0\n0 1 7\n3 0 1 2\n").find("vertex 1" + surplus), std::string::npos);
+  EXPECT_NE(of("0 0 5\n1 0 6\n0 1 7\n3 0 1 2 9\n").find("face 0" + surplus), std::string::npos);
+}
+
+TEST_F(TinFile, ContinuesObjLines) {
+  const std::string expected = kVertices + "f 1 2 3\nf 1 3 4\n";
+  expect_square(read("a.obj",
+                     "v 0 0 \\\n5\nv \\\r\n1 0 6\nv 1 1.5 7 \\\n1 0 0\nv 0 1 8\\\n\n"
+                     "f 1 \\\n \\\n2 3\nf 1/1\\\n 3/2/2 \\\n4//4\n"));
+  // Paths end in backslashes, too: only vertices and faces go on.
+  expect_square(read("a.obj", "mtllib C:\\mesh\\\n# in C:\\mesh\\\n" + expected));
+  EXPECT_NE(error("a.obj", kVertices + "f 1 \\\n2 \\\n3 \\\n4\n").find("4 corners"),
+            std::string::npos);
+  EXPECT_NE(error("a.obj", kVertices + "f 1 \\\n2\nf 1 2 x\n").find("line 6: a face needs three"),
+            std::string::npos);
+  // Is it 12, or 1 and 2?
+  EXPECT_NE(error("a.obj", kVertices + "f 1\\\n2 3\n").find("is not a vertex number"),
+            std::string::npos);
+  EXPECT_NE(error("a.obj", "v 0 1\\\n2 3\n").find("is not a finite number"), std::string::npos);
+  for (const char* cut : {"f 1 2 3 \\", "f 1 2 3\\"})
+    EXPECT_NE(error("a.obj", kVertices + cut).find("is not a vertex number"), std::string::npos);
+}
+
+TEST_F(TinFile, RefusesObjWithLineEndsOfOldMacs) {
+  // The vertex after the return would vanish in the line before it.
+  EXPECT_NE(error("a.obj", "v 9 9 9\nv 0 0 5\rv 1 0 6\n" + kVertices + "f 1 2 3\n")
+                .find("line 2: this line ends as those of old Macs do"),
+            std::string::npos);
+  expect_square(read("a.obj", with(kVertices, "\n", "\r\r\n") + "f 1 2 3\nf 1 3 4\r"));
+}
+
 TEST_F(TinFile, RefusesNonFiniteBinaryCoordinates) {
   BinaryBody body(false);
   body.put(std::nan(""));

@@ -17,8 +17,8 @@ namespace {
 constexpr std::string_view kMagic = "\x1f\x8b";
 /// zlib's window bits for the gzip wrapper with the largest window.
 constexpr int kGzipWindow = 15 + 16;
-/// No byte of deflate yields more than 1032.
-constexpr std::size_t kLargestRatio = 1032;
+/// Of unpacked to packed bytes, seldom exceeded by tables and meshes.
+constexpr std::size_t kUsualRatio = 32;
 
 /// zlib counts in 32 bits, so larger arrays go in pieces.
 uInt piece(std::size_t size) {
@@ -29,7 +29,7 @@ Bytef* bytes_of(const char* text) {
   return reinterpret_cast<Bytef*>(const_cast<char*>(text));
 }
 
-/// The length that the last member claims, as far as it can be true.
+/// The length that the last member claims, as far as that is usual: room for more comes with it.
 std::size_t expected_size(std::string_view packed) {
   std::uint32_t claimed = 0;
   if (packed.size() >= 18) {
@@ -38,7 +38,7 @@ std::size_t expected_size(std::string_view packed) {
       claimed |= static_cast<std::uint32_t>(byte) << (8 * i);
     }
   }
-  return std::clamp<std::size_t>(claimed, packed.size(), kLargestRatio * packed.size());
+  return std::clamp<std::size_t>(claimed, packed.size(), kUsualRatio * packed.size());
 }
 
 /// zlib's stream, ended whatever happens.

@@ -1,5 +1,6 @@
 #include "hodt/io/obj.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -24,6 +25,7 @@ class ObjParser {
   explicit ObjParser(const InputText& input) : input_(input), p_(input.begin()) {}
 
   Tin parse() {
+    refuse_old_mac_lines();
     for (; p_ < input_.end(); next_line()) {
       skip_blanks();
       if (starts_statement('v')) {
@@ -46,15 +48,47 @@ class ObjParser {
 
  private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+  /// Blanks, and the line ends that a backslash takes away.
   void skip_blanks() {
-    while (is_blank(*p_)) ++p_;
+    for (;;) {
+      while (is_blank(*p_)) ++p_;
+      const char* const next = continuation(p_);
+      if (!next) return;
+      p_ = next;
+      ++line_;
+    }
+  }
+  /// The next line's begin, if a backslash joins it to this one; else nullptr.
+  const char* continuation(const char* p) const {
+    if (*p != '\\') return nullptr;
+    p += p[1] == '\r' ? 2 : 1;
+    return *p == '\n' && p < input_.end() ? p + 1 : nullptr;
+  }
+  /// Whether a number ends here. A backslash between two digits may join them or part them.
+  bool ends_word(const char* p) const {
+    if (is_blank(*p) || *p == '\n') return true;
+    const char* const next = continuation(p);
+    return next && (is_blank(*next) || *next == '\n' || next >= input_.end());
   }
   bool at_line_end() const { return *p_ == '\n'; }
   void next_line() {
-    const auto rest = static_cast<std::size_t>(input_.end() - p_);
-    const void* feed = std::memchr(p_, '\n', rest);
-    p_ = feed ? static_cast<const char*>(feed) + 1 : input_.end();
+    const char* const feed = find(p_, '\n');
+    p_ = feed ? feed + 1 : input_.end();
     ++line_;
+  }
+  /// A carriage return alone would hide the line after it in this one.
+  void refuse_old_mac_lines() {
+    const char* p = p_;
+    while ((p = find(p, '\r'))) {
+      while (*p == '\r') ++p;
+      if (*p == '\n') continue;
+      line_ += static_cast<std::size_t>(std::count(p_, p, '\n'));
+      fail("this line ends as those of old Macs do, without a line feed; convert the file");
+    }
+  }
+  const char* find(const char* p, char c) const {
+    const auto rest = static_cast<std::size_t>(input_.end() - p);
+    return rest ? static_cast<const char*>(std::memchr(p, c, rest)) : nullptr;
   }
   bool starts_statement(char keyword) const { return *p_ == keyword && is_blank(p_[1]); }
 
@@ -78,7 +112,7 @@ class ObjParser {
     std::size_t count = 0;
     for (skip_blanks(); count < 3 && !at_line_end(); ++count, skip_blanks()) {
       const char* const end = parse_number(p_, values[count]);
-      if (!end || !(is_blank(*end) || *end == '\n')) {
+      if (!end || !ends_word(end)) {
         fail(fmt::format("'{}' is not a finite number", word()));
       }
       p_ = end;
@@ -116,13 +150,12 @@ class ObjParser {
     if (backwards) ++p_;
     std::uint64_t number = 0;
     const char* const end = number_text::read_digits(p_, number);
-    const bool is_number =
-        end != p_ && end - p_ < 19 && (is_blank(*end) || *end == '\n' || *end == '/');
+    const bool is_number = end != p_ && end - p_ < 19 && (ends_word(end) || *end == '/');
     if (!is_number) {
       p_ = start;
       fail(fmt::format("'{}' is not a vertex number", word()));
     }
-    for (p_ = end; !is_blank(*p_) && !at_line_end();) ++p_;
+    for (p_ = end; !ends_word(p_);) ++p_;
     const std::uint64_t vertices = tin_.points.size();
     if (backwards && 1 <= number && number <= vertices) {
       return static_cast<Index>(vertices - number);

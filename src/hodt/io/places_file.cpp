@@ -18,13 +18,28 @@ namespace {
 
 using Json = nlohmann::json;
 
+[[noreturn]] void refuse_syntax() {
+  throw InputError("this is no GeoJSON");
+}
+
+/// The JSON library would go through an object as well, and take true for 1.
+const Json& list(const Json& value) {
+  if (!value.is_array()) refuse_syntax();
+  return value;
+}
+
+double number(const Json& value) {
+  if (!value.is_number()) refuse_syntax();
+  return value.get<double>();
+}
+
 Point point_of(const Json& position) {
-  return {position.at(0).get<double>(), position.at(1).get<double>()};
+  return {number(list(position).at(0)), number(position.at(1))};
 }
 
 std::vector<Point> points_of(const Json& positions) {
   std::vector<Point> points;
-  for (const Json& position : positions) points.push_back(point_of(position));
+  for (const Json& position : list(positions)) points.push_back(point_of(position));
   return points;
 }
 
@@ -55,7 +70,7 @@ class Collector {
   }
 
   void open(const Json& members) {
-    for (const Json& member : members) open_.push_back(&member);
+    for (const Json& member : list(members)) open_.push_back(&member);
   }
 
   void add_geometry(std::string_view type, const Json& geometry) {
@@ -63,12 +78,12 @@ class Collector {
     if (type == "Point")
       places_.points.push_back(point_of(coordinates()));
     else if (type == "MultiPoint")
-      for (const Json& position : coordinates()) places_.points.push_back(point_of(position));
+      for (const Json& position : list(coordinates())) places_.points.push_back(point_of(position));
     else if (type == "Polygon")
-      places_.outlines.push_back(points_of(coordinates().at(0)));
+      places_.outlines.push_back(points_of(list(coordinates()).at(0)));
     else if (type == "MultiPolygon")
-      for (const Json& polygon : coordinates())
-        places_.outlines.push_back(points_of(polygon.at(0)));
+      for (const Json& polygon : list(coordinates()))
+        places_.outlines.push_back(points_of(list(polygon).at(0)));
     else
       throw InputError(fmt::format("it has a {}", type));
   }
@@ -79,22 +94,27 @@ class Collector {
 
 }  // namespace
 
+Places parse_places(const InputText& text) {
+  const auto collected = [&] {
+    try {
+      return Collector().collect(Json::parse(text.view()));
+    } catch (const Json::exception&) {
+      refuse_syntax();
+    }
+  };
+  try {
+    return collected();
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}: {}; points and polygons are what it can hold", text.name, error.what()));
+  }
+}
+
 Places read_places(const std::filesystem::path& path) {
   if (const std::string extension = format_extension(path);
       extension != ".geojson" && extension != ".json")
     return {read_points(path).xy, {}};
-  const InputText text = read_input(path);
-  const auto bad = [&](std::string_view what) {
-    return InputError(
-        fmt::format("{}: {}; points and polygons are what it can hold", text.name, what));
-  };
-  try {
-    return Collector().collect(Json::parse(text.view()));
-  } catch (const InputError& error) {
-    throw bad(error.what());
-  } catch (const Json::exception&) {
-    throw bad("this is no GeoJSON");
-  }
+  return parse_places(read_input(path));
 }
 
 }  // namespace hodt

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hodt/geometry/point.h"
+#include "hodt/io/input_text.h"
 
 namespace hodt {
 
@@ -18,5 +19,8 @@ struct Places {
 /// collected; any other file, and "-", is a table that read_points() reads. Throws FileError if the
 /// file cannot be read, InputError if it cannot be used or holds anything else, such as lines.
 Places read_places(const std::filesystem::path& path);
+
+/// The same of GeoJSON in memory.
+Places parse_places(const InputText& text);
 
 }  // namespace hodt

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,6 +28,8 @@ namespace {
 
 constexpr std::string_view kMagic = "ply";
 constexpr std::string_view kCrsComment = "comment crs: ";
+/// What may fill up a file after its last element.
+constexpr std::string_view kPadding("\0 \t\r\n", 5);
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -64,11 +69,11 @@ struct Header {
 
 class HeaderParser {
  public:
-  explicit HeaderParser(const InputText& input) : input_(input), p_(input.begin()) {}
+  explicit HeaderParser(const InputText& input)
+      : input_(input), p_(input.begin()), line_end_(ends_like_old_macs(input) ? '\r' : '\n') {}
 
   Header parse() {
     if (next_line() != kMagic) fail("a PLY file begins with the line 'ply'");
-    bool has_format = false;
     for (;;) {
       const std::string line = next_line();
       std::istringstream words(line);
@@ -77,16 +82,21 @@ class HeaderParser {
       if (keyword == "end_header") break;
       if (keyword == "format") {
         parse_format(words);
-        has_format = true;
       } else if (keyword == "element") {
         parse_element(words);
       } else if (keyword == "property") {
         parse_property(words);
-      } else if (line.starts_with(kCrsComment)) {
-        header_.crs = line.substr(kCrsComment.size());
+      } else if (keyword == "comment") {
+        if (line.starts_with(kCrsComment)) header_.crs = line.substr(kCrsComment.size());
+        continue;
+      } else if (keyword == "obj_info" || keyword.empty()) {
+        continue;
+      } else {
+        fail(fmt::format("'{}' is nothing that a PLY header says", keyword));
       }
+      if (words >> keyword) fail(fmt::format("'{}' is one word too many", keyword));
     }
-    if (!has_format) fail("the header lacks its format line");
+    if (!has_format_) fail("the header lacks its format line");
     header_.body = p_;
     return std::move(header_);
   }
@@ -96,10 +106,15 @@ class HeaderParser {
     throw InputError(fmt::format("{}, line {}: {}", input_.name, line_, problem));
   }
 
+  static bool ends_like_old_macs(const InputText& input) {
+    const std::string_view text = input.view();
+    return text.starts_with("ply\r") && !text.starts_with("ply\r\n");
+  }
+
   std::string next_line() {
     ++line_;
     const auto rest = static_cast<std::size_t>(input_.end() - p_);
-    const void* feed = rest ? std::memchr(p_, '\n', rest) : nullptr;
+    const void* feed = rest ? std::memchr(p_, line_end_, rest) : nullptr;
     if (!feed) fail("the header does not end; 'end_header' is missing");
     std::string line(p_, static_cast<const char*>(feed));
     p_ = static_cast<const char*>(feed) + 1;
@@ -108,8 +123,9 @@ class HeaderParser {
   }
 
   void parse_format(std::istream& words) {
-    std::string encoding;
-    words >> encoding;
+    if (std::exchange(has_format_, true)) fail("a second format line");
+    std::string encoding, version;
+    words >> encoding >> version;
     if (encoding == "ascii") {
       header_.encoding = Encoding::text;
     } else if (encoding == "binary_little_endian") {
@@ -119,12 +135,18 @@ class HeaderParser {
     } else {
       fail(fmt::format("unknown format '{}'", encoding));
     }
+    if (version != "1.0") fail(fmt::format("unknown version '{}' of PLY", version));
   }
 
   void parse_element(std::istream& words) {
     Element element;
-    if (!(words >> element.name >> element.count)) fail("an element needs a name and a count");
-    if (element.count >= kNone) fail("more elements than hodt can number");
+    std::string count;
+    if (!(words >> element.name >> count)) fail("an element needs a name and a count");
+    if (!std::all_of(count.begin(), count.end(), number_text::is_digit))
+      fail(fmt::format("'{}' is no count", count));
+    const auto [end, error] =
+        std::from_chars(count.data(), count.data() + count.size(), element.count);
+    if (error != std::errc() || element.count >= kNone) fail("more elements than hodt can number");
     header_.elements.push_back(std::move(element));
   }
 
@@ -151,7 +173,9 @@ class HeaderParser {
 
   const InputText& input_;
   const char* p_;
+  char line_end_;
   std::size_t line_ = 0;
+  bool has_format_ = false;
   Header header_;
 };
 
@@ -169,8 +193,15 @@ class TextSource {
     p_ = after;
     return value;
   }
+  /// Whether nothing follows on this line.
+  bool at_line_end() {
+    while (p_ < end_ && (*p_ == ' ' || *p_ == '\t')) ++p_;
+    return p_ >= end_ || *p_ == '\n' || *p_ == '\r';
+  }
   bool exhausted() const { return p_ >= end_; }
-  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }
+  std::string_view rest() const { return {p_, static_cast<std::size_t>(end_ - p_)}; }
+  /// Of a number and the blank after it.
+  static std::size_t least_size(Type) { return 2; }
 
  private:
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -205,13 +236,28 @@ class BinarySource {
     }
     return std::nullopt;
   }
+  bool at_line_end() const { return true; }
   bool exhausted() const { return exhausted_; }
-  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }
+  std::string_view rest() const { return {p_, static_cast<std::size_t>(end_ - p_)}; }
+  static std::size_t least_size(Type type) {
+    switch (type) {
+      case Type::int8:
+      case Type::uint8:
+        return 1;
+      case Type::int16:
+      case Type::uint16:
+        return 2;
+      case Type::float64:
+        return 8;
+      default:
+        return 4;
+    }
+  }
 
  private:
   template <class T>
   std::optional<double> take() {
-    if (bytes_left() < sizeof(T)) {
+    if (rest().size() < sizeof(T)) {
       exhausted_ = true;
       return std::nullopt;
     }
@@ -235,15 +281,19 @@ class BodyParser {
       : input_(input), header_(header), source_(source) {}
 
   Tin parse() {
+    const Element* const vertices = element_called("vertex");
+    const Element* const faces = element_called("face");
     for (const Element& element : header_.elements) {
-      if (element.name == "vertex") {
+      if (&element == vertices) {
         parse_vertices(element);
-      } else if (element.name == "face") {
+      } else if (&element == faces) {
         parse_faces(element);
       } else {
         skip(element);
       }
     }
+    if (source_.rest().find_first_not_of(kPadding) != std::string_view::npos)
+      fail_file("goes on after the last element that its header announces");
     check_corners();
     tin_.crs = header_.crs;
     return std::move(tin_);
@@ -279,28 +329,68 @@ class BodyParser {
     for (std::size_t k = 0; k < count; ++k) next(property.type, element, i);
   }
 
+  void end_item(const Element& element, std::size_t i) {
+    if (!source_.at_line_end())
+      fail(element.name, i, "its line holds more numbers than the header announces");
+  }
+
   void skip(const Element& element) {
+    if (element.properties.empty()) return;  // such items take no room, however many
     for (std::size_t i = 0; i < element.count; ++i) {
       for (const Property& property : element.properties) skip(property, element, i);
+      end_item(element, i);
     }
   }
 
-  /// What to set aside for a count that the header claims: each item takes a byte at least.
-  std::size_t believable(std::size_t count) const { return std::min(count, source_.bytes_left()); }
+  /// How many items there can be at most, as a header can claim anything.
+  std::size_t believable(const Element& element) const {
+    std::size_t least = 0;
+    for (const Property& property : element.properties)
+      least += source_.least_size(property.count_type.value_or(property.type));
+    return least == 0 ? 0 : std::min(element.count, source_.rest().size() / least + 1);
+  }
 
-  static const Property* find(const Element& element, std::string_view name, bool is_list) {
-    for (const Property& property : element.properties) {
-      if (property.name == name && property.count_type.has_value() == is_list) return &property;
+  /// The only element of this name; nullptr if there is none.
+  const Element* element_called(std::string_view name) const {
+    const Element* found = nullptr;
+    for (const Element& element : header_.elements) {
+      if (!is_called(element.name, name)) continue;
+      if (found) fail_file(fmt::format("announces two elements '{}'", name));
+      found = &element;
     }
-    return nullptr;
+    return found;
+  }
+
+  /// Some programs write X, Y, Z.
+  static bool is_called(std::string_view name, std::string_view lower) {
+    return std::equal(name.begin(), name.end(), lower.begin(), lower.end(), [](char a, char b) {
+      return ('A' <= a && a <= 'Z' ? a - 'A' + 'a' : a) == b;
+    });
+  }
+
+  /// The only property that has one of the names; nullptr if there is none.
+  const Property* find(const Element& element, std::initializer_list<std::string_view> names,
+                       bool is_list) const {
+    const Property* found = nullptr;
+    for (const Property& property : element.properties) {
+      const auto fits = [&](std::string_view name) { return is_called(property.name, name); };
+      if (std::none_of(names.begin(), names.end(), fits)) continue;
+      if (found)
+        fail_file(fmt::format("announces '{}' twice for each {}", *names.begin(), element.name));
+      found = &property;
+    }
+    if (found && found->count_type.has_value() != is_list)
+      fail_file(fmt::format("has a {} with '{}' that is {} list", element.name, found->name,
+                            is_list ? "no" : "a"));
+    return found;
   }
 
   void parse_vertices(const Element& element) {
-    const Property* const axes[3] = {find(element, "x", false), find(element, "y", false),
-                                     find(element, "z", false)};
+    const Property* const axes[3] = {find(element, {"x"}, false), find(element, {"y"}, false),
+                                     find(element, {"z"}, false)};
     if (!axes[0] || !axes[1]) fail_file("has vertices without x and y");
-    tin_.points.xy.reserve(believable(element.count));
-    if (axes[2]) tin_.points.z.reserve(believable(element.count));
+    tin_.points.xy.reserve(believable(element));
+    if (axes[2]) tin_.points.z.reserve(believable(element));
     for (std::size_t i = 0; i < element.count; ++i) {
       double values[3] = {};
       for (const Property& property : element.properties) {
@@ -315,16 +405,16 @@ class BodyParser {
                fmt::format("{} is {}, not a finite number", property.name, values[axis]));
         }
       }
+      end_item(element, i);
       tin_.points.xy.push_back({values[0], values[1]});
       if (axes[2]) tin_.points.z.push_back(values[2]);
     }
   }
 
   void parse_faces(const Element& element) {
-    const Property* corners = find(element, "vertex_indices", true);
-    if (!corners) corners = find(element, "vertex_index", true);
+    const Property* const corners = find(element, {"vertex_indices", "vertex_index"}, true);
     if (!corners) fail_file("has faces without vertex_indices");
-    tin_.triangles.reserve(believable(element.count));
+    tin_.triangles.reserve(believable(element));
     for (std::size_t i = 0; i < element.count; ++i) {
       for (const Property& property : element.properties) {
         if (&property == corners) {
@@ -333,6 +423,7 @@ class BodyParser {
           skip(property, element, i);
         }
       }
+      end_item(element, i);
     }
   }
 
@@ -394,7 +485,7 @@ std::string header_of(const Tin& tin) {
 
 bool is_ply(const InputText& input) {
   const std::string_view text = input.view();
-  return text.starts_with("ply\n") || text.starts_with("ply\r\n");
+  return text.starts_with("ply\n") || text.starts_with("ply\r");
 }
 
 Tin parse_ply(const InputText& input) {
