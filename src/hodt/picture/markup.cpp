@@ -1,10 +1,12 @@
 #include "hodt/picture/markup.h"
 
+#include "hodt/base/printable.h"
+
 namespace hodt {
 
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         result += "&amp;";

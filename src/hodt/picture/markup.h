@@ -6,7 +6,7 @@
 
 namespace hodt {
 
-/// The text with what markup would take for its own written as entities.
+/// The text with what markup would take for its own written as entities, and made printable.
 std::string escaped(std::string_view text);
 
 }  // namespace hodt
