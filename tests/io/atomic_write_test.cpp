@@ -2,7 +2,11 @@
 
 #include <csignal>
 #include <filesystem>
+#include <initializer_list>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "temporary_directory.h"
 #include <gtest/gtest.h>
@@ -52,6 +56,49 @@ TEST(AtomicWrite, WritesThroughLinks) {
   EXPECT_EQ(content_of(target), "after");
   EXPECT_TRUE(std::filesystem::is_symlink(directory / "dangling"));
   EXPECT_EQ(content_of(directory / "nothing-yet"), "new");
+}
+
+TEST(AtomicWrite, RefusesLinksWithoutAnEnd) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_symlink("there", directory / "here");
+  std::filesystem::create_symlink("here", directory / "there");
+  const auto here = directory / "here";
+  EXPECT_THROW(check_writable(here), FileError);
+  const std::string message = message_of<FileError>([&] { atomic_write(here, "content"); });
+  EXPECT_NE(message.find("Too many levels of symbolic links"), std::string::npos) << message;
+  EXPECT_TRUE(std::filesystem::is_symlink(here));
+  EXPECT_EQ(directory.entries(), 2u);
+}
+
+TEST(AtomicWrite, CommitsAllOrNone) {
+  const TemporaryDirectory directory;
+  const auto open = [&](std::initializer_list<std::string_view> names) {
+    std::vector<std::unique_ptr<OutputFile>> files;
+    for (const std::string_view name : names) {
+      files.push_back(std::make_unique<OutputFile>(
+          name.starts_with('/') ? std::filesystem::path(name) : directory / name));
+      files.back()->write(name);
+    }
+    return files;
+  };
+  {
+    const auto files = open({"a", "b"});
+    files[0]->finish();
+    EXPECT_FALSE(std::filesystem::exists(directory / "a"));
+    commit_together(files);
+  }
+  EXPECT_EQ(content_of(directory / "a"), "a");
+  EXPECT_EQ(content_of(directory / "b"), "b");
+  EXPECT_EQ(directory.entries(), 2u);
+  EXPECT_THROW(open({"c", "/dev/full"}), FileError);
+  EXPECT_EQ(directory.entries(), 2u);
+}
+
+TEST(AtomicWrite, KnowsStandardOutput) {
+  for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})
+    EXPECT_TRUE(is_standard_output(name)) << name;
+  for (const char* name : {"", "./-", "/dev/stderr", "stdout"})
+    EXPECT_FALSE(is_standard_output(name)) << name;
 }
 
 TEST(AtomicWrite, LeavesTheOldFileIfTheWriterThrows) {

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -16,30 +18,34 @@ namespace hodt {
 
 namespace {
 
-constexpr std::string_view kStandardOutput = "-";
-
 std::string output_name(const std::filesystem::path& path) {
-  return path == kStandardOutput ? "standard output" : path.string();
+  return is_standard_output(path) ? "standard output" : path.string();
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+  throw FileError(fmt::format("cannot write {}: {}", output_name(path), why));
+}
+
+/// The temporary files that there are. Their names change under the lock.
+struct TemporaryFiles {
+  std::recursive_mutex mutex;  // a failure under the lock removes its file
+  std::set<std::filesystem::path> names;
+};
+
+TemporaryFiles& temporary_files() {
+  static auto* const all = new TemporaryFiles;  // outlives every file
+  return *all;
 }
 
 /// Devices and the process's own descriptors are what they are: nothing to rename. (A descriptor
 /// can lead to a regular file, so its name decides; files in /dev/shm are files like any other.)
 bool written_directly(const std::filesystem::path& path) {
   const std::string& name = path.native();
-  for (const std::string_view descriptors : {"/dev/fd/", "/dev/stdout", "/dev/stderr", "/proc/"}) {
+  for (const std::string_view descriptors : {"/dev/fd/", "/dev/stderr", "/proc/"}) {
     if (name.starts_with(descriptors)) return true;
   }
   struct stat status;
   return ::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-}
-
-/// Where a chain of symbolic links ends, whether or not anything is there: the link must stay.
-std::filesystem::path follow_links(std::filesystem::path path) {
-  std::error_code error;
-  for (int links = 0; links < 40 && std::filesystem::is_symlink(path, error); ++links) {
-    path = path.parent_path() / std::filesystem::read_symlink(path, error);
-  }
-  return path;
 }
 
 std::filesystem::path directory_of(const std::filesystem::path& path) {
@@ -64,9 +70,9 @@ int open_retrying(const std::filesystem::path& path, int flags) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::filesystem::path& path) : target_(path) {
+OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), target_(path) {
   check_writable(path);
-  if (path == kStandardOutput) {
+  if (is_standard_output(path)) {
     descriptor_ = STDOUT_FILENO;
     owns_descriptor_ = false;
   } else if (written_directly(path)) {
@@ -83,6 +89,8 @@ OutputFile::~OutputFile() {
 
 void OutputFile::open_temporary() {
   target_ = follow_links(target_);
+  TemporaryFiles& others = temporary_files();
+  const std::unique_lock lock(others.mutex);
   std::filesystem::path name;
   do {
     name = temporary_name(target_);
@@ -90,6 +98,7 @@ void OutputFile::open_temporary() {
   } while (descriptor_ < 0 && errno == EEXIST);
   if (descriptor_ < 0) fail(errno);
   temporary_ = name;
+  others.names.insert(name);
   // A file that is replaced keeps its permissions; a new one has the usual ones already.
   struct stat status;
   if (::stat(target_.c_str(), &status) == 0 && ::fchmod(descriptor_, status.st_mode & 07777) != 0) {
@@ -111,24 +120,36 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
-void OutputFile::commit() {
-  if (temporary_.empty()) return close();
+void OutputFile::finish() {
+  if (descriptor_ < 0) return;
   // Some file systems have nothing to synchronise and say so.
-  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail(errno);
-  close();
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  temporary_.clear();
-}
-
-void OutputFile::close() {
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
+    fail(errno);
   const int descriptor = std::exchange(descriptor_, -1);
   if (owns_descriptor_ && ::close(descriptor) != 0 && errno != EINTR) fail(errno);
+}
+
+void OutputFile::commit() {
+  finish();
+  const std::unique_lock lock(temporary_files().mutex);
+  rename();
+}
+
+/// REQUIRES the lock of the temporary files.
+void OutputFile::rename() {
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_files().names.erase(temporary_);
+  temporary_.clear();
 }
 
 void OutputFile::discard() noexcept {
   const int descriptor = std::exchange(descriptor_, -1);
   if (descriptor >= 0 && owns_descriptor_) ::close(descriptor);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  const std::unique_lock lock(temporary_files().mutex);
+  temporary_files().names.erase(temporary_);
   temporary_.clear();
 }
 
@@ -150,24 +171,51 @@ void atomic_write(const std::filesystem::path& path, const std::function<void(Ou
   file.commit();
 }
 
-void check_writable(const std::filesystem::path& path) {
-  if (path == kStandardOutput) return;
-  const auto refuse = [&](const std::string& why) {
-    throw FileError(fmt::format("cannot write {}: {}", path.string(), why));
-  };
+void commit_together(std::span<const std::unique_ptr<OutputFile>> files) {
+  for (const auto& file : files) file->finish();
+  const std::unique_lock lock(temporary_files().mutex);
+  for (const auto& file : files) file->rename();
+}
+
+void abandon_output_files() noexcept {
+  TemporaryFiles& all = temporary_files();
+  all.mutex.lock();  // and never unlocked
+  for (const std::filesystem::path& name : all.names) ::unlink(name.c_str());
+}
+
+bool is_standard_output(const std::filesystem::path& path) {
+  constexpr std::string_view names[] = {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
+  return std::find(std::begin(names), std::end(names), path.native()) != std::end(names);
+}
+
+std::filesystem::path follow_links(const std::filesystem::path& path) {
+  constexpr int most = 40;  // as the system's own limit
   std::error_code error;
-  if (path.empty()) refuse("the path is empty");
+  std::filesystem::path end = path;
+  for (int links = 0; std::filesystem::is_symlink(end, error); ++links) {
+    if (links == most) refuse(path, std::strerror(ELOOP));
+    const std::filesystem::path next = std::filesystem::read_symlink(end, error);
+    if (error) refuse(path, error.message());
+    end = end.parent_path() / next;
+  }
+  return end;
+}
+
+void check_writable(const std::filesystem::path& path) {
+  if (is_standard_output(path)) return;
+  std::error_code error;
+  if (path.empty()) refuse(path, "the path is empty");
   if (std::filesystem::is_directory(path, error) || !path.has_filename()) {
-    refuse("it is a directory; name a file in it");
+    refuse(path, "it is a directory; name a file in it");
   }
   const bool exists = std::filesystem::exists(path, error);
-  if (exists && ::access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+  if (exists && ::access(path.c_str(), W_OK) != 0) refuse(path, std::strerror(errno));
   if (written_directly(path)) return;
   const std::filesystem::path directory = directory_of(follow_links(path));
   if (!std::filesystem::is_directory(directory, error)) {
-    refuse(fmt::format("there is no directory {}", directory.string()));
+    refuse(path, fmt::format("there is no directory {}", directory.string()));
   }
-  if (::access(directory.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+  if (::access(directory.c_str(), W_OK) != 0) refuse(path, std::strerror(errno));
 }
 
 }  // namespace hodt

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,7 +20,8 @@ class BrokenPipeError : public FileError {
 
 /// A file being written beside its target, under a temporary name, until commit() renames it.
 /// Before that, and forever if anything fails, whatever was at the target stays as it was. Targets
-/// that are no regular files (/dev/null, a pipe, "-" for standard output) are written directly.
+/// that are no regular files (/dev/null, a pipe, "-" for standard output) are written directly. A
+/// symbolic link stays, and what it leads to is written.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -27,20 +30,42 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view bytes);
+  /// Everything is on the disk, and nothing more is written: what can fail has failed by now.
+  void finish();
   /// Everything is on the disk, and then at the target.
   void commit();
 
+  /// As it was named to the constructor.
+  const std::filesystem::path& path() const { return path_; }
+
  private:
+  friend void commit_together(std::span<const std::unique_ptr<OutputFile>> files);
+
+  void rename();
   void open_temporary();
-  void close();
   void discard() noexcept;
   [[noreturn]] void fail(int error);
 
+  std::filesystem::path path_;
   std::filesystem::path target_;
   std::filesystem::path temporary_;  ///< empty if writing directly
   int descriptor_ = -1;
   bool owns_descriptor_ = true;
 };
+
+/// Commits all of them, and none if one cannot be finished.
+void commit_together(std::span<const std::unique_ptr<OutputFile>> files);
+
+/// Removes the temporary files of this process, for good: whoever tries to write afterwards waits
+/// for ever. For a program that a signal ends; to be called by a thread, not by a signal handler.
+void abandon_output_files() noexcept;
+
+/// Whether the path stands for the process's standard output: "-", /dev/stdout and the like.
+bool is_standard_output(const std::filesystem::path& path);
+
+/// Where a chain of symbolic links ends, whether or not anything is there. Throws FileError if it
+/// has no end.
+std::filesystem::path follow_links(const std::filesystem::path& path);
 
 /// Writes a whole file through OutputFile. Throws FileError (and what `fill` throws).
 void atomic_write(const std::filesystem::path& path, std::string_view bytes);

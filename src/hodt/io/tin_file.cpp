@@ -71,6 +71,10 @@ void write_tin(const Tin& tin, const std::filesystem::path& path) {
   atomic_write(path, [&](OutputFile& file) { format.write(tin, file); });
 }
 
+void write_tin(const Tin& tin, OutputFile& file) {
+  format_to_write(file.path()).write(tin, file);
+}
+
 void check_output_extension(const std::filesystem::path& path) {
   format_to_write(path);
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "hodt/io/atomic_write.h"
 #include "hodt/tin/tin.h"
 
 namespace hodt {
@@ -17,6 +18,9 @@ Tin read_tin(const std::filesystem::path& path);
 /// coordinates, so vertices without heights get z = 0. Reading gives the same bits back. The file
 /// appears complete or not at all. Throws FileError, or ParameterError for any other extension.
 void write_tin(const Tin& tin, const std::filesystem::path& path);
+
+/// The same to a file that is open, in the format that its name tells.
+void write_tin(const Tin& tin, OutputFile& file);
 
 /// Throws ParameterError, naming the known ones, unless write_tin() knows the extension.
 void check_output_extension(const std::filesystem::path& path);
