@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/common.h"
+#include "app/outputs.h"
 #include <fmt/format.h>
 
 #include "hodt/base/parallel.h"
@@ -57,14 +57,14 @@ bool is_of_order(const Findings& findings, Index k) {
   return findings.order && findings.order->order_plain <= k;
 }
 
-bool passes(const Findings& findings, std::optional<Index> k, bool strict) {
+bool passes(const Findings& findings, const std::optional<Order>& k, bool strict) {
   const Embedding& embedding = findings.embedding;
   if (!embedding.embedded) return false;
-  if (k && !is_of_order(findings, *k)) return false;
+  if (k && !is_of_order(findings, k->limit)) return false;
   return !strict || (embedding.covers_hull && embedding.unused_vertices == 0);
 }
 
-Json findings_json(const Findings& findings, std::optional<Index> k) {
+Json findings_json(const Findings& findings, const std::optional<Order>& k) {
   const Embedding& embedding = findings.embedding;
   Json json = {{"points", findings.points},
                {"triangles", findings.triangles},
@@ -87,8 +87,8 @@ Json findings_json(const Findings& findings, std::optional<Index> k) {
     json["order_histogram"] = findings.order->histogram;
   }
   if (k) {
-    json["k"] = *k;
-    json["k_od"] = is_of_order(findings, *k);
+    json["k"] = to_json(*k);
+    json["k_od"] = is_of_order(findings, k->limit);
   }
   if (findings.extrema) {
     json["local_minima"] = to_json(findings.extrema->minima);
@@ -107,7 +107,7 @@ std::string histogram_line(const MeshOrder& order) {
   return text;
 }
 
-std::string summary(const Findings& findings, std::optional<Index> k) {
+std::string summary(const Findings& findings, const std::optional<Order>& k) {
   const Embedding& embedding = findings.embedding;
   std::string text = fmt::format("{:<16} {}, {}\n", "mesh", counted(findings.points, "point"),
                                  counted(findings.triangles, "triangle"));
@@ -120,7 +120,8 @@ std::string summary(const Findings& findings, std::optional<Index> k) {
                       findings.order->order);
   text += histogram_line(*findings.order);
   if (k)
-    text += fmt::format("order {} or less  {}\n", *k, is_of_order(findings, *k) ? "yes" : "no");
+    text += fmt::format("order {} or less  {}\n", k->digits,
+                        is_of_order(findings, k->limit) ? "yes" : "no");
   if (findings.extrema) {
     const auto& [minima, maxima, pits] = *findings.extrema;
     for (const auto& [name, count] :
@@ -133,7 +134,7 @@ std::string summary(const Findings& findings, std::optional<Index> k) {
 }
 
 int run(const Arguments& arguments) {
-  std::optional<Index> k;
+  std::optional<Order> k;
   if (!arguments.order.empty()) k = parse_order(arguments.order);
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_targets(arguments.tin, {}, arguments.json);
@@ -143,10 +144,11 @@ int run(const Arguments& arguments) {
     progress.report("reading");
     Tin tin = read_tin(arguments.tin);
     progress.report("checking");
-    findings = examine(std::move(tin));
+    findings = naming(arguments.tin, [&] { return examine(std::move(tin)); });
   }
-  if (!arguments.json.empty()) write_json(findings_json(findings, k), arguments.json);
-  if (arguments.json != "-") print(summary(findings, k));
+  Outputs outputs;
+  outputs.write_json(findings_json(findings, k), arguments.json);
+  outputs.commit(summary(findings, k));
   return passes(findings, k, arguments.strict) ? kOk : kNo;
 }
 

@@ -16,24 +16,69 @@
 
 namespace hodt::app {
 
+namespace {
+
+bool is_whole(std::string_view text) {
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+/// What a path leads to: one file can have many names (./tin.ply, its absolute path, a link to it).
+std::filesystem::path resolved(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(follow_links(path), ignored),
+                                           ignored);
+}
+
+bool is_same_output(const std::filesystem::path& a, const std::filesystem::path& b) {
+  if (a.empty() || b.empty()) return false;
+  if (is_standard_output(a) || is_standard_output(b))
+    return is_standard_output(a) && is_standard_output(b);
+  return resolved(a) == resolved(b);
+}
+
+bool is_input(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code missing;
+  return !is_standard_output(output) && std::filesystem::equivalent(output, input, missing);
+}
+
+}  // namespace
+
 std::uint64_t parse_whole(std::string_view option, const std::string& text, std::uint64_t least,
                           std::uint64_t most) {
-  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
-  if (text.empty() || !std::all_of(text.begin(), text.end(), is_digit)) {
-    throw ParameterError(
-        fmt::format("{} must be a whole number of at least {}, not '{}'", option, least, text));
-  }
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || value > most) value = most;
-  if (value < least) {
-    throw ParameterError(fmt::format("{} must be at least {}, not '{}'", option, least, text));
+  if (!is_whole(text) || error != std::errc() || value < least || value > most) {
+    throw ParameterError(fmt::format("{} must be a whole number from {} to {}, not '{}'", option,
+                                     least, most, text));
   }
   return value;
 }
 
-Index parse_order(const std::string& text) {
-  return static_cast<Index>(parse_whole("-k", text, 0, kNone - 1));
+Order parse_order(const std::string& text) {
+  // More digits than these are no number to a reader of JSON.
+  constexpr std::size_t most_digits = 300;
+  if (!is_whole(text) || text.size() > most_digits) {
+    throw ParameterError(
+        fmt::format("-k must be a whole number of at least 0 and at most {} digits, not '{}'",
+                    most_digits, text));
+  }
+  const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size() - 1);
+  Order order{kNone - 1, text.substr(zeros)};
+  Index value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc()) order.limit = std::min(value, order.limit);
+  return order;
+}
+
+Json to_json(const Order& order) {
+  const std::string& digits = order.digits;
+  std::uint64_t whole = 0;
+  if (std::from_chars(digits.data(), digits.data() + digits.size(), whole).ec == std::errc())
+    return whole;
+  double value = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
 }
 
 double parse_non_negative(std::string_view option, std::string_view what, const std::string& text) {
@@ -57,7 +102,14 @@ std::size_t parse_threads(const std::string& text) {
   return parse_whole("--threads", text, 1, more_than_any_machine_has);
 }
 
-void print(std::string_view text) {
+void print(std::string_view lines) {
+  std::string text;
+  for (std::size_t end; !lines.empty(); lines.remove_prefix(end)) {
+    end = std::min(lines.find('\n'), lines.size() - 1) + 1;
+    const bool is_whole_line = lines[end - 1] == '\n';
+    text += printable(lines.substr(0, is_whole_line ? end - 1 : end));
+    if (is_whole_line) text += '\n';
+  }
   try {
     atomic_write("-", text);
   } catch (const BrokenPipeError&) {
@@ -65,27 +117,14 @@ void print(std::string_view text) {
   }
 }
 
-void write_json(const Json& json, const std::filesystem::path& path) {
-  const std::string text = json.dump(2) + "\n";
-  path == "-" ? print(text) : atomic_write(path, text);
-}
-
 void check_targets(const std::filesystem::path& input, const std::filesystem::path& output,
                    const std::filesystem::path& json) {
   if (!output.empty()) check_writable(output);
   if (!json.empty()) check_writable(json);
-  // One file can have many names: ./tin.ply, its absolute path, a link to it.
-  std::error_code ignored;
-  const auto resolved = [&](const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  };
-  const auto same = [&](const std::filesystem::path& a, const std::filesystem::path& b) {
-    return !a.empty() && !b.empty() && a != "-" && resolved(a) == resolved(b);
-  };
-  if (same(output, json))
+  if (is_same_output(output, json))
     throw ParameterError(fmt::format("{} is named for the output and for the JSON", json.string()));
   for (const std::filesystem::path& target : {output, json})
-    if (same(input, target))
+    if (is_input(target, input))
       throw ParameterError(
           fmt::format("{} is the input; name another file to write to", target.string()));
 }

@@ -15,6 +15,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/ids.h"
+#include "hodt/base/printable.h"
 #include "hodt/base/progress.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/geometry/point_set.h"
@@ -44,13 +45,19 @@ void add_triangles(CLI::App& app, Action& action);
 void add_voronoi(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 
-/// A whole number of at least `least` from an option's text; anything larger than `most` is
-/// `most`. Throws ParameterError, naming the option.
+/// A whole number from an option's text. Throws ParameterError, naming the option, the text and the
+/// range, if it is anything else.
 std::uint64_t parse_whole(std::string_view option, const std::string& text, std::uint64_t least,
                           std::uint64_t most);
 
-/// The order k from -k's text; a huge one means unrestricted all the same.
-Index parse_order(const std::string& text);
+/// An order k as it was given. No set of points tells orders apart that an Index cannot hold.
+struct Order {
+  Index limit = 0;
+  std::string digits;
+};
+/// The order from -k's text, however large.
+Order parse_order(const std::string& text);
+Json to_json(const Order& order);
 
 /// A number that is not negative from an option's text; empty is 0. Throws ParameterError, saying
 /// that the option must be `what` ("a number of seconds").
@@ -78,11 +85,14 @@ void add_threads(CLI::App& command, std::string& threads);
 /// Its value for ThreadLimit.
 std::size_t parse_threads(const std::string& text);
 
-/// Writes text to standard output. If nobody reads it any more, that is no error.
-void print(std::string_view text);
+/// Writes lines of text to standard output, made printable. If nobody reads them any more, that is
+/// no error.
+void print(std::string_view lines);
 
-/// Writes JSON to a file, or to standard output for "-".
-void write_json(const Json& json, const std::filesystem::path& path);
+/// A file's name in a report.
+inline std::string shown(const std::filesystem::path& path) {
+  return printable(path.string());
+}
 
 /// Throws if two of them name the same file, or a target cannot be written. An empty path is no
 /// file.

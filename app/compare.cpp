@@ -6,12 +6,12 @@
 #include "app/comparison.h"
 #include "app/comparison_page.h"
 #include "app/comparison_table.h"
+#include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/io/atomic_write.h"
 #include "hodt/io/file_name.h"
 #include "hodt/io/input_text.h"
 
@@ -195,7 +195,7 @@ std::string summary(const Comparison& comparison, const TakenColumns& columns,
   for (const Fact& fact : facts_of(comparison))
     text += fmt::format("{:<9} {}\n", fact.name, fact.text);
   text += fmt::format("{:<9} {}\n", "columns", text_of(columns));
-  if (!output.empty()) text += fmt::format("{:<9} {}\n", "written", output);
+  if (!output.empty()) text += fmt::format("{:<9} {}\n", "written", shown(output));
   for (const ObjectiveComparison& objective : comparison.objectives)
     text += fmt::format("\n{}\n{}", name_of(objective.objective),
                         aligned(table_of(comparison, objective)));
@@ -235,10 +235,12 @@ int run(const Arguments& arguments) {
     comparison = naming(arguments.input.file,
                         [&] { return compare(points, truth ? &*truth : nullptr, options); });
   }
+  Outputs outputs;
   if (!arguments.output.empty())
-    atomic_write(arguments.output, comparison_page(comparison, display_name(arguments.input.file)));
-  if (!arguments.json.empty()) write_json(comparison_json(comparison, columns), arguments.json);
-  if (arguments.json != "-") print(summary(comparison, columns, arguments.output));
+    outputs.open(arguments.output)
+        .write(comparison_page(comparison, display_name(arguments.input.file)));
+  outputs.write_json(comparison_json(comparison, columns), arguments.json);
+  outputs.commit(summary(comparison, columns, arguments.output));
   return kOk;
 }
 
@@ -274,7 +276,7 @@ void add_compare(CLI::App& app, Action& action) {
               "Columns of the truth that hold x, y and z, as in --columns");
   command
       .add_option("--time-limit", arguments->time_limit,
-                  "Seconds that each search may take (default: no limit)")
+                  "Seconds that each search may take (default: 0, no limit)")
       ->type_name("S");
   add_threads(command, arguments->threads);
   command

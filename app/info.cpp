@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/common.h"
+#include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
 
@@ -121,8 +121,9 @@ int run(const Arguments& arguments) {
     progress.report("counting");
     findings = examine(table);
   }
-  if (!arguments.json.empty()) write_json(findings_json(findings), arguments.json);
-  if (arguments.json != "-") print(summary(findings));
+  Outputs outputs;
+  outputs.write_json(findings_json(findings), arguments.json);
+  outputs.commit(summary(findings));
   return kOk;
 }
 

@@ -1,16 +1,11 @@
-// The hodt command.
+// The process of the hodt command: its streams and signals.
 #include <csignal>
-#include <cstdio>
-#include <exception>
-#include <new>
-#include <string>
+#include <thread>
 
-#include "app/common.h"
+#include "app/command.h"
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include "hodt/base/error.h"
 #include "hodt/io/atomic_write.h"
 
 namespace hodt::app {
@@ -34,70 +29,34 @@ void ignore_write_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-int complain(std::string message) {
-  for (char& c : message) {
-    if (c == '\n') c = ' ';
+/// The signals that end a program and that nobody has set aside: nohup ignores SIGHUP, say.
+sigset_t ending_signals() {
+  sigset_t ending, blocked;
+  sigemptyset(&ending);
+  pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler == SIG_DFL && !sigismember(&blocked, signal)) sigaddset(&ending, signal);
   }
-  // Not fmt::print: that throws where standard error cannot be written.
-  std::fputs(fmt::format("hodt: {}\n", message).c_str(), stderr);
-  return kError;
+  return ending;
 }
 
-/// CLI11 would only say that a subcommand is required.
-void check_command_name(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::string known;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == argv[1]) return;
-    known += (known.empty() ? "" : ", ") + command->get_name();
-  }
-  throw ParameterError(fmt::format("there is no command '{}'; known are {}", argv[1], known));
+/// Ends the process as the signal would have, after its temporary files.
+void wait_for_the_end(const sigset_t& ending) {
+  int signal = 0;
+  sigwait(&ending, &signal);
+  abandon_output_files();
+  pthread_sigmask(SIG_UNBLOCK, &ending, nullptr);
+  raise(signal);
 }
 
-/// Parses the command line into an action; help and version are actions too.
-Action parse(CLI::App& app, int argc, char** argv) {
-  Action action;
-  add_triangulate(app, action);
-  add_check(app, action);
-  add_info(app, action);
-  add_sample(app, action);
-  add_edges(app, action);
-  add_triangles(app, action);
-  add_voronoi(app, action);
-  add_compare(app, action);
-  check_command_name(app, argc, argv);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    const std::string help = app.help();
-    return [help] { return print(help), kOk; };
-  } catch (const CLI::CallForVersion& version) {
-    const std::string text = fmt::format("{}\n", version.what());
-    return [text] { return print(text), kOk; };
-  }
-  return action;
-}
-
-int run(int argc, char** argv) {
-  CLI::App app("Higher order Delaunay triangulations: terrain meshes of controlled quality.",
-               "hodt");
-  app.set_version_flag("--version", "hodt " HODT_VERSION);
-  app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) { return error.what(); });
-  app.footer("'hodt COMMAND --help' explains a command, with examples.");
-  try {
-    return parse(app, argc, argv)();
-  } catch (const CLI::ParseError& error) {
-    const auto chosen = app.get_subcommands();
-    return complain(fmt::format("{} (see 'hodt {}--help')", error.what(),
-                                chosen.empty() ? "" : chosen[0]->get_name() + " "));
-  } catch (const BrokenPipeError&) {
-    return kOk;
-  } catch (const std::bad_alloc&) {
-    return complain("not enough memory");
-  } catch (const std::exception& error) {
-    return complain(error.what());
-  }
+/// A signal is not to leave temporary files. A thread waits for it, as a handler could do little.
+/// It starts before all others, so that they inherit that the signals go to it alone.
+void clean_up_on_signals() {
+  const sigset_t ending = ending_signals();
+  pthread_sigmask(SIG_BLOCK, &ending, nullptr);
+  std::thread([ending] { wait_for_the_end(ending); }).detach();
 }
 
 }  // namespace
@@ -107,5 +66,6 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   hodt::app::occupy_standard_streams();
   hodt::app::ignore_write_signals();
+  hodt::app::clean_up_on_signals();
   return hodt::app::run(argc, argv);
 }

@@ -1,5 +1,6 @@
 #include "app/record_lists.h"
 
+#include "app/outputs.h"
 #include <fmt/format.h>
 
 #include "hodt/base/parallel.h"
@@ -43,39 +44,36 @@ void CsvLines::flush() {
 
 int write_list(const ListArguments& arguments, std::string_view header, std::string_view things,
                const ProduceLines& produce) {
-  const Index k = parse_order(arguments.order);
+  const Order k = parse_order(arguments.order);
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_columns(arguments.input.columns);
   check_targets(arguments.input.file, arguments.output, {});
   std::string summary;
+  Outputs outputs;
   {
     TerminalProgress progress;
     progress.report("reading");
     const PointTable table = read_input_points(arguments.input);
     const PointSet& points = table.points;
     progress.report("Delaunay triangulation");
-    const Delaunay triangulation = delaunay(points);
+    const Delaunay triangulation = naming(arguments.input.file, [&] { return delaunay(points); });
     const std::size_t distinct = triangulation.vertices.size();
     DelaunayGraph graph(triangulation);
     graph.list_neighbours();
-    progress.report(fmt::format("{} of order {} or less", things, k));
-    std::size_t count = 0;
-    atomic_write(arguments.output, [&](OutputFile& file) {
-      CsvLines lines(file, header);
-      // No circle holds more than n - 3 points beside those on it.
-      produce(graph, std::min<Index>(k, Index(distinct)),
-              row_numbering(triangulation.vertices, points.size()), lines);
-      lines.flush();
-      count = lines.count();
-    });
+    progress.report(fmt::format("{} of order {} or less", things, k.digits));
+    CsvLines lines(outputs.open(arguments.output), header);
+    // No circle holds more than n - 3 points beside those on it.
+    produce(graph, std::min<Index>(k.limit, Index(distinct)),
+            row_numbering(triangulation.vertices, points.size()), lines);
+    lines.flush();
     summary = fmt::format("{:<9} {}, {} dropped\n", "points", points.size(),
                           counted(points.size() - distinct, "duplicate"));
-    summary +=
-        fmt::format("{:<9} {}, {} of order {} or less\n", things, count, arguments.list_class, k);
+    summary += fmt::format("{:<9} {}, {} of order {} or less\n", things, lines.count(),
+                           arguments.list_class, k.digits);
     summary += fmt::format("{:<9} {}\n", "columns", text_of(table.columns));
-    summary += fmt::format("{:<9} {}\n", "written", arguments.output);
+    summary += fmt::format("{:<9} {}\n", "written", shown(arguments.output));
   }
-  if (arguments.output != "-") print(summary);
+  outputs.commit(summary);
   return kOk;
 }
 

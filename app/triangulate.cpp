@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "app/common.h"
+#include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
 
@@ -44,12 +44,12 @@ Json value_json(const Report& report) {
           {"optimal", report.value->optimal}};
 }
 
-Json report_json(const Report& report, const TakenColumns& columns) {
+Json report_json(const Report& report, const Order& k, const TakenColumns& columns) {
   return {{"points", report.points},
           {"columns", to_json(columns)},
           {"duplicates", report.duplicates},
           {"triangles", report.triangles},
-          {"k", report.k},
+          {"k", to_json(k)},
           {"order", report.order},
           {"order_histogram", report.order_histogram},
           {"objective", name_of(report.objective)},
@@ -80,7 +80,7 @@ std::string summary(const Report& report, const TakenColumns& columns, const Arg
                                  counted(report.duplicates, "duplicate"));
   text += fmt::format("{:<13} {}\n", "columns", text_of(columns));
   text += fmt::format("{:<13} {}, of order {} at most (allowed: {})\n", "triangles",
-                      report.triangles, report.order, report.k);
+                      report.triangles, report.order, parse_order(arguments.order).digits);
   if (report.value) {
     text += fmt::format("{:<13} {} -> {}, proven bound {}{}\n", name_of(report.objective),
                         report.value->delaunay, report.value->result, report.value->bound,
@@ -94,12 +94,12 @@ std::string summary(const Report& report, const TakenColumns& columns, const Arg
   const Seconds& seconds = report.seconds;
   text += fmt::format("{:<13} read {:.3f}, delaunay {:.3f}, optimize {:.3f}, write {:.3f}\n",
                       "seconds", seconds.read, seconds.delaunay, seconds.optimize, seconds.write);
-  return text + fmt::format("{:<13} {}\n", "written", arguments.output);
+  return text + fmt::format("{:<13} {}\n", "written", shown(arguments.output));
 }
 
 TriangulateOptions options_of(const Arguments& arguments) {
   TriangulateOptions options;
-  options.order = parse_order(arguments.order);
+  options.order = parse_order(arguments.order).limit;
   options.objective = objective_from_name(arguments.objective);
   options.method = method_from_name(arguments.method);
   check_method(options.method, options.objective);
@@ -125,6 +125,7 @@ int run(const Arguments& arguments) {
 
   Stopwatch watch;
   TriangulateResult result;
+  Outputs outputs;
   TakenColumns columns;
   {
     TerminalProgress progress;
@@ -137,11 +138,14 @@ int run(const Arguments& arguments) {
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
-    write_tin(result.tin, arguments.output);
+    OutputFile& mesh = outputs.open(arguments.output);
+    write_tin(result.tin, mesh);
+    mesh.finish();
     result.report.seconds.write = watch.lap();
   }
-  if (!arguments.json.empty()) write_json(report_json(result.report, columns), arguments.json);
-  if (arguments.json != "-") print(summary(result.report, columns, arguments));
+  outputs.write_json(report_json(result.report, parse_order(arguments.order), columns),
+                     arguments.json);
+  outputs.commit(summary(result.report, columns, arguments));
   return kOk;
 }
 
@@ -169,7 +173,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       ->type_name("M");
   command
       .add_option("--time-limit", arguments->time_limit,
-                  "Seconds that the search may take (default: no limit)")
+                  "Seconds that the search may take (default: 0, no limit)")
       ->type_name("S");
   command
       .add_option("--keep", arguments->keep,
@@ -177,7 +181,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command
       .add_option("--min-pit-depth", arguments->min_pit_depth,
-                  "Only shallower pits are removed (default: all)")
+                  "Only shallower pits are removed (default: 0, all are)")
       ->type_name("D");
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")

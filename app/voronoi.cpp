@@ -6,12 +6,12 @@
 #include <cmath>
 #include <system_error>
 
+#include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/io/atomic_write.h"
 #include "hodt/io/geojson.h"
 #include "hodt/order/voronoi/voronoi_polygons.h"
 
@@ -49,19 +49,15 @@ Box parse_box(const std::string& text) {
 
 /// Writes the cells that have an area in the box; returns their number.
 std::size_t write_cells(const VoronoiDiagram& diagram, const VertexSet& vertices, const Box& box,
-                        const std::string& output) {
+                        OutputFile& file) {
   const VoronoiPolygons polygons(vertices.xy, diagram, box);
-  std::size_t written = 0;
-  atomic_write(output, [&](OutputFile& file) {
-    written = write_geojson(file, diagram.cell_count(), [&](std::size_t i, PolygonFeature& cell) {
-      polygons.polygon_of(static_cast<Index>(i), cell.ring);
-      cell.points.clear();
-      for (const VertexId v : diagram.members_of(static_cast<Index>(i)))
-        cell.points.push_back(vertices.row[v]);
-      std::sort(cell.points.begin(), cell.points.end());
-    });
+  return write_geojson(file, diagram.cell_count(), [&](std::size_t i, PolygonFeature& cell) {
+    polygons.polygon_of(static_cast<Index>(i), cell.ring);
+    cell.points.clear();
+    for (const VertexId v : diagram.members_of(static_cast<Index>(i)))
+      cell.points.push_back(vertices.row[v]);
+    std::sort(cell.points.begin(), cell.points.end());
   });
-  return written;
 }
 
 int run(const Arguments& arguments) {
@@ -73,32 +69,33 @@ int run(const Arguments& arguments) {
   check_targets(arguments.input.file, arguments.output, {});
 
   std::string summary;
+  Outputs outputs;
   {
     TerminalProgress progress;
     progress.report("reading");
     const PointTable table = read_input_points(arguments.input);
     const PointSet& points = table.points;
     progress.report("Voronoi diagram");
-    const Delaunay triangulation = delaunay(points);
+    const Delaunay triangulation = naming(arguments.input.file, [&] { return delaunay(points); });
     const std::size_t distinct = triangulation.vertices.size();
     if (order >= distinct)
       throw ParameterError(
-          fmt::format("-m must be less than the number of distinct points, {}, not {}", distinct,
-                      arguments.order));
+          fmt::format("{}: -m must be less than the number of distinct points, {}, not {}",
+                      display_name(arguments.input.file), distinct, arguments.order));
     const VoronoiDiagram diagram = voronoi_diagram(DelaunayGraph(triangulation), order);
     constexpr double margin = 0.1;
     if (!box) box = enlarged_bounding_box(triangulation.vertices.xy, margin);
     progress.report("writing");
     const std::size_t written =
-        write_cells(diagram, triangulation.vertices, *box, arguments.output);
+        write_cells(diagram, triangulation.vertices, *box, outputs.open(arguments.output));
     summary = fmt::format("{:<8} {}, {} dropped\n", "points", points.size(),
                           counted(points.size() - distinct, "duplicate"));
     summary += fmt::format("{:<8} {}\n", "columns", text_of(table.columns));
     summary += fmt::format("{:<8} {} of order {}, {} with an area in the box\n", "cells",
                            diagram.cell_count(), order, written);
-    summary += fmt::format("{:<8} {}\n", "written", arguments.output);
+    summary += fmt::format("{:<8} {}\n", "written", shown(arguments.output));
   }
-  if (arguments.output != "-") print(summary);
+  outputs.commit(summary);
   return kOk;
 }
 

@@ -194,9 +194,9 @@ TEST_F(Command, AClosedPipeIsNoError) {
 
 TEST_F(Command, AClosedStandardOutputSpoilsNoFile) {
   put("points.csv", kPoints);
-  ASSERT_EQ(run("triangulate points.csv -o good.obj").exit_code, 0);
-  EXPECT_EQ(shell("HODT triangulate points.csv -o out.obj >&-").exit_code, 2);
-  EXPECT_EQ(content_of(directory_ / "out.obj"), content_of(directory_ / "good.obj"));
+  put("kept.obj", "an existing output");
+  EXPECT_EQ(shell("HODT triangulate points.csv -o kept.obj >&-").exit_code, 2);
+  EXPECT_EQ(content_of(directory_ / "kept.obj"), "an existing output");
 }
 
 TEST_F(Command, ExplainsItself) {
