@@ -1,6 +1,6 @@
 # A thin front: CMake does the work, in build/<preset>. The two to know: make demo, make test.
 
-.PHONY: help demo build test bench lint format asan tsan clean
+.PHONY: help demo build test bench lint format asan tsan clang fuzz clean
 
 help:
 	@echo "make demo    build hodt and run it on real terrain; results in demo/"
@@ -11,6 +11,8 @@ help:
 	@echo "make format  format all sources"
 	@echo "make asan    the tests with address and undefined behaviour sanitizers"
 	@echo "make tsan    the tests with the thread sanitizer"
+	@echo "make clang   build the library and the command with clang"
+	@echo "make fuzz    every reader and the command on made-up input, FUZZ_SECONDS each (3600)"
 
 # Each goal says whether it wants tests: the cache of an earlier one must not decide.
 demo:
@@ -47,6 +49,17 @@ tsan:
 	cmake --preset tsan -DHODT_BUILD_TESTS=ON
 	cmake --build --preset tsan
 	ctest --test-dir build/tsan --output-on-failure -j2
+
+clang:
+	@scripts/dependencies.sh clang
+	cmake --preset clang
+	cmake --build --preset clang --target hodt_program
+
+fuzz:
+	@scripts/dependencies.sh fuzz
+	cmake --preset fuzz
+	cmake --build --preset fuzz --target hodt_fuzz_points hodt_fuzz_ply hodt_fuzz_obj hodt_fuzz_places hodt_fuzz_gzip hodt_fuzz_command
+	scripts/fuzz.sh
 
 lint:
 	scripts/lint.sh

@@ -2,9 +2,11 @@
 # Installs the Debian packages that a goal needs, if any is missing; says nothing and asks nobody
 # if all are there.
 #
-#   scripts/dependencies.sh [build|test|bench]         as root, or with sudo
-#   scripts/dependencies.sh [build|test|bench] FOLDER  as anybody: unpacks the libraries into the folder,
-#                                                      where they serve whoever sources FOLDER/use
+#   scripts/dependencies.sh GOAL         as root, or with sudo
+#   scripts/dependencies.sh GOAL FOLDER  as anybody: unpacks the libraries into the folder, where they
+#                                        serve whoever sources FOLDER/use
+#
+# GOAL: build (the default), test, bench, clang or fuzz.
 set -euo pipefail
 export LC_ALL=C
 
@@ -16,8 +18,10 @@ case $goal in
   build) ;;
   test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev" ;;
   bench) packages="$packages libbenchmark-dev libcgal-dev" ;;
+  clang) tools="$tools clang" ;;
+  fuzz) tools="$tools clang libclang-rt-14-dev" ;;
   *)
-    echo "usage: $0 [build|test|bench] [FOLDER]" >&2
+    echo "usage: $0 [build|test|bench|clang|fuzz] [FOLDER]" >&2
     exit 2
     ;;
 esac
