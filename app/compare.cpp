@@ -126,9 +126,9 @@ void check_files(const Arguments& arguments) {
   check_targets(arguments.truth, arguments.output, arguments.json);
 }
 
-PointSet read_truth(const std::string& path, const std::string& columns) {
-  PointSet truth = read_input_points(path, columns, "--truth-columns").points;
-  if (!truth.has_heights())
+PointTable read_truth(const std::string& path, const std::string& columns) {
+  PointTable truth = read_input_points(path, columns, "--truth-columns");
+  if (!truth.points.has_heights())
     throw InputError(
         fmt::format("{}: the truth needs heights, and the points have none; add a z "
                     "column",
@@ -222,7 +222,7 @@ int run(const Arguments& arguments) {
     const PointSet& points = table.points;
     columns = table.columns;
     options.objectives = usable(choices, points, arguments.input.file);
-    std::optional<PointSet> truth;
+    std::optional<PointTable> truth;
     if (!arguments.truth.empty()) {
       if (!points.has_heights())
         throw InputError(
@@ -233,7 +233,9 @@ int run(const Arguments& arguments) {
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
     comparison = naming(arguments.input.file,
-                        [&] { return compare(points, truth ? &*truth : nullptr, options); });
+                        [&] { return compare(points, truth ? &truth->points : nullptr, options); });
+    print_warnings(arguments.input.file, table);
+    if (truth) print_warnings(arguments.truth, *truth);
   }
   Outputs outputs;
   if (!arguments.output.empty())

@@ -11,12 +11,6 @@ namespace hodt::app {
 
 namespace {
 
-void warn(const std::string& file, const std::string& warning) {
-  // The line of progress, which is only on a terminal, makes way.
-  const char* const clear = isatty(STDERR_FILENO) ? "\r\033[K" : "";
-  std::fputs(fmt::format("{}hodt: warning: {}: {}\n", clear, file, warning).c_str(), stderr);
-}
-
 std::string text_of(const char* axis, const TakenColumn& column) {
   return column.name.empty() ? fmt::format("{} = column {}", axis, column.number)
                              : fmt::format("{} = column {} '{}'", axis, column.number, column.name);
@@ -44,9 +38,16 @@ void add_columns(CLI::App& command, const std::string& name, std::string& column
 
 PointTable read_input_points(const std::string& file, const std::string& columns,
                              const std::string& option) {
-  PointTable table = read_point_table(file, parse_column_choice(option, columns));
-  for (const std::string& warning : table.warnings) warn(display_name(file), warning);
-  return table;
+  return read_point_table(file, parse_column_choice(option, columns));
+}
+
+void print_warnings(const std::string& file, const PointTable& table) {
+  // The line of progress, which is only on a terminal, makes way.
+  const char* const clear = isatty(STDERR_FILENO) ? "\r\033[K" : "";
+  for (const std::string& warning : table.warnings) {
+    std::fputs(fmt::format("{}hodt: warning: {}: {}\n", clear, display_name(file), warning).c_str(),
+               stderr);
+  }
 }
 
 void check_columns(const std::string& columns, const std::string& option) {

@@ -21,18 +21,21 @@ void add_points_input(CLI::App& command, PointsInput& input);
 void add_columns(CLI::App& command, const std::string& name, std::string& columns,
                  const std::string& what);
 
-/// Reads the points; what may be wrong with them goes to standard error. `option` names the option
-/// that the columns come from.
+/// Reads the points. `option` names the option that the columns come from.
 PointTable read_input_points(const std::string& file, const std::string& columns,
                              const std::string& option = "--columns");
 inline PointTable read_input_points(const PointsInput& input) {
   return read_input_points(input.file, input.columns);
 }
 
+/// Says on standard error what may be wrong with the points. For the end of a run: bad input gets
+/// one line.
+void print_warnings(const std::string& file, const PointTable& table);
+
 /// Throws ParameterError if the columns are no choice of columns.
 void check_columns(const std::string& columns, const std::string& option = "--columns");
 
-/// "x = 'easting' (2), y = 'northing' (3), no z": the columns that were taken.
+/// "x = column 2 'Ost', y = column 1 'Nord', no z": the columns that were taken.
 std::string text_of(const TakenColumns& columns);
 Json to_json(const TakenColumns& columns);
 

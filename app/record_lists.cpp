@@ -72,6 +72,7 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
                            arguments.list_class, k.digits);
     summary += fmt::format("{:<9} {}\n", "columns", text_of(table.columns));
     summary += fmt::format("{:<9} {}\n", "written", shown(arguments.output));
+    print_warnings(arguments.input.file, table);
   }
   outputs.commit(summary);
   return kOk;

@@ -142,6 +142,7 @@ int run(const Arguments& arguments) {
     write_tin(result.tin, mesh);
     mesh.finish();
     result.report.seconds.write = watch.lap();
+    print_warnings(arguments.input.file, table);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), columns),
                      arguments.json);

@@ -94,6 +94,7 @@ int run(const Arguments& arguments) {
     summary += fmt::format("{:<8} {} of order {}, {} with an area in the box\n", "cells",
                            diagram.cell_count(), order, written);
     summary += fmt::format("{:<8} {}\n", "written", shown(arguments.output));
+    print_warnings(arguments.input.file, table);
   }
   outputs.commit(summary);
   return kOk;

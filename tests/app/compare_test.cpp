@@ -128,16 +128,17 @@ TEST_F(CompareCommand, PrintsATable) {
   const Outcome outcome = run("compare points.csv --orders 0,4");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto lines = words_of(outcome.out);
-  ASSERT_EQ(lines.size(), 7u) << outcome.out;
+  ASSERT_EQ(lines.size(), 8u) << outcome.out;
   EXPECT_EQ(lines[0], (std::vector<std::string>{"points", "300,", "0", "duplicates", "dropped"}));
   EXPECT_EQ(lines[1][0], "pits");
-  EXPECT_EQ(lines[3], std::vector<std::string>{"min-local-minima"});
-  EXPECT_EQ(lines[4][0], "k");
+  EXPECT_EQ(lines[2][0], "columns");
+  EXPECT_EQ(lines[4], std::vector<std::string>{"min-local-minima"});
+  EXPECT_EQ(lines[5][0], "k");
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(lines[5 + i][0], rows[i]["k"].dump());
-    EXPECT_EQ(lines[5 + i][1], rows[i]["value"].dump());
-    EXPECT_EQ(lines[5 + i][2], rows[i]["bound"].dump());
-    EXPECT_EQ(lines[5 + i][3], "proved");
+    EXPECT_EQ(lines[6 + i][0], rows[i]["k"].dump());
+    EXPECT_EQ(lines[6 + i][1], rows[i]["value"].dump());
+    EXPECT_EQ(lines[6 + i][2], rows[i]["bound"].dump());
+    EXPECT_EQ(lines[6 + i][3], "proved");
   }
   std::vector<std::size_t> widths;
   std::istringstream stream(outcome.out);
