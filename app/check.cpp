@@ -12,6 +12,7 @@
 #include "hodt/io/tin_file.h"
 #include "hodt/order/mesh_order.h"
 #include "hodt/tin/embedding.h"
+#include "hodt/tin/quality.h"
 
 namespace hodt::app {
 
@@ -25,12 +26,13 @@ struct Arguments {
   std::string json;
 };
 
-/// All that the command finds out. The order is known of embedded meshes only.
+/// All that the command finds out. Order and quality are known of embedded meshes only.
 struct Findings {
   std::size_t points = 0;
   std::size_t triangles = 0;
   Embedding embedding;
   std::optional<MeshOrder> order;
+  std::optional<Quality> quality;
   std::optional<ExtremaCount> extrema;
 };
 
@@ -49,6 +51,7 @@ Findings examine(Tin tin) {
   if (!findings.embedding.embedded) return findings;
   if (findings.embedding.clockwise > 0) make_counter_clockwise(tin);
   findings.order = order_of_mesh(tin.points, tin.triangles);
+  findings.quality = quality_of(tin.points.xy, tin.triangles);
   if (tin.points.has_heights()) findings.extrema = count_extrema(tin.points, tin.triangles);
   return findings;
 }
@@ -64,6 +67,22 @@ bool passes(const Findings& findings, const std::optional<Order>& k, bool strict
   return !strict || (embedding.covers_hull && embedding.unused_vertices == 0);
 }
 
+Json spread_json(const Spread& spread) {
+  return {{"min", to_json(spread.min)},
+          {"median", to_json(spread.median)},
+          {"mean", to_json(spread.mean)},
+          {"max", to_json(spread.max)}};
+}
+
+Json quality_json(const Quality& quality) {
+  return {{"smallest_angle", spread_json(quality.smallest_angle)},
+          {"largest_angle", spread_json(quality.largest_angle)},
+          {"radius_ratio", spread_json(quality.radius_ratio)},
+          {"aspect_ratio", spread_json(quality.aspect_ratio)},
+          {"smallest_angles_from_0_by_10", quality.smallest_angles},
+          {"largest_angles_from_60_by_10", quality.largest_angles}};
+}
+
 Json findings_json(const Findings& findings, const std::optional<Order>& k) {
   const Embedding& embedding = findings.embedding;
   Json json = {{"points", findings.points},
@@ -77,7 +96,8 @@ Json findings_json(const Findings& findings, const std::optional<Order>& k) {
                {"boundary_edges", nullptr},
                {"order", nullptr},
                {"order_plain", nullptr},
-               {"order_histogram", nullptr}};
+               {"order_histogram", nullptr},
+               {"quality", nullptr}};
   if (!embedding.embedded) json["problem"] = embedding.problem;
   if (embedding.embedded) json["components"] = embedding.components;
   if (embedding.embedded) json["boundary_edges"] = embedding.boundary_edges;
@@ -86,6 +106,7 @@ Json findings_json(const Findings& findings, const std::optional<Order>& k) {
     json["order_plain"] = findings.order->order_plain;
     json["order_histogram"] = findings.order->histogram;
   }
+  if (findings.quality) json["quality"] = quality_json(*findings.quality);
   if (k) {
     json["k"] = to_json(*k);
     json["k_od"] = is_of_order(findings, k->limit);
@@ -105,6 +126,37 @@ std::string histogram_line(const MeshOrder& order) {
   }
   text.back() = '\n';
   return text;
+}
+
+std::string spread_line(std::string_view name, const Spread& spread) {
+  return fmt::format("  {:<16} {:>10.4g} {:>10.4g} {:>10.4g} {:>10.4g}\n", name, spread.min,
+                     spread.median, spread.mean, spread.max);
+}
+
+/// Of a histogram of angles the shares, in percent.
+template <std::size_t bins>
+std::string angles_line(std::string_view name, const std::array<std::size_t, bins>& counts,
+                        std::size_t from, std::size_t triangles) {
+  std::string text = fmt::format("  {:<16}", name);
+  for (std::size_t i = 0; i < bins; ++i) {
+    if (counts[i] == 0) continue;
+    const std::size_t low = from + i * Quality::kBinWidth;
+    text += fmt::format(" {}-{}°: {:.1f} %;", low, low + Quality::kBinWidth,
+                        100 * double(counts[i]) / double(triangles));
+  }
+  text.back() = '\n';
+  return text;
+}
+
+std::string quality_text(const Quality& quality, std::size_t triangles) {
+  return fmt::format("{:<18} {:>10} {:>10} {:>10} {:>10}\n", "quality", "min", "median", "mean",
+                     "max") +
+         spread_line("smallest angle", quality.smallest_angle) +
+         spread_line("largest angle", quality.largest_angle) +
+         spread_line("radius ratio", quality.radius_ratio) +
+         spread_line("aspect ratio", quality.aspect_ratio) +
+         angles_line("smallest angles", quality.smallest_angles, 0, triangles) +
+         angles_line("largest angles", quality.largest_angles, 60, triangles);
 }
 
 std::string summary(const Findings& findings, const std::optional<Order>& k) {
@@ -130,6 +182,7 @@ std::string summary(const Findings& findings, const std::optional<Order>& k) {
                           count.interior, count.boundary);
     }
   }
+  if (findings.triangles > 0) text += quality_text(*findings.quality, findings.triangles);
   return text;
 }
 
@@ -167,6 +220,9 @@ void add_check(CLI::App& app, Action& action) {
   command.add_option("--json", arguments->json, "Write the findings as JSON; - is standard output")
       ->type_name("FILE");
   command.footer(
+      "Quality is that of the triangles in (x, y): angles in degrees; the radius ratio, twice the\n"
+      "inradius by the circumradius, is 1 for an equilateral triangle and 0 for a sliver; the\n"
+      "aspect ratio is the longest edge by its height, 1 for an equilateral triangle.\n"
       "Exit status: 0 if the mesh is as required, 1 if not, 2 for bad input or usage.\n"
       "Examples:\n"
       "  hodt check terrain.ply\n"
