@@ -141,14 +141,9 @@ Json to_json(double value) {
   return value;
 }
 
-std::string counted(std::size_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
-std::size_t count_distinct(const PointSet& points) {
-  std::vector<Point> sorted = points.xy;
-  std::sort(sorted.begin(), sorted.end(), lexicographically_less);
-  return static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+std::string counted(std::size_t count, std::string_view thing, std::string_view things) {
+  if (count == 1) return fmt::format("1 {}", thing);
+  return things.empty() ? fmt::format("{} {}s", count, thing) : fmt::format("{} {}", count, things);
 }
 
 TerminalProgress::TerminalProgress() {

@@ -104,11 +104,8 @@ Json to_json(const SplitCount& count);
 /// A count as a whole number, anything else as it is.
 Json to_json(double value);
 
-/// "1 point", "2 points".
-std::string counted(std::size_t count, std::string_view thing);
-
-/// How many points have a different (x, y) from all points before them.
-std::size_t count_distinct(const PointSet& points);
+/// "1 point", "2 points"; "1 minimum", "2 minima" if the plural is given.
+std::string counted(std::size_t count, std::string_view thing, std::string_view things = {});
 
 /// Says on the terminal what a long job is doing; says nothing if there is no terminal.
 class TerminalProgress {

@@ -1,11 +1,14 @@
 // hodt compare: how much does each criterion gain, order by order?
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "app/common.h"
 #include "app/comparison.h"
 #include "app/comparison_page.h"
 #include "app/comparison_table.h"
+#include "app/duplicates_text.h"
+#include "app/keep.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
@@ -35,6 +38,7 @@ struct Arguments {
   std::vector<std::string> objectives;
   std::string truth;
   std::string truth_columns;
+  KeepArguments keep;
   std::string time_limit;
   std::string threads;
   std::string output;
@@ -124,6 +128,23 @@ void check_files(const Arguments& arguments) {
     throw ParameterError("INPUT and --truth cannot both be standard input");
   check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.truth, arguments.output, arguments.json);
+  if (arguments.truth == "-" && arguments.keep.places == "-")
+    throw ParameterError("--truth and --keep cannot both be standard input");
+  check_targets(arguments.keep.places, arguments.output, arguments.json);
+}
+
+/// What is to be kept, if an objective counts minima.
+void read_keep(const Arguments& arguments, const std::vector<Choice>& choices,
+               ComparisonOptions& options) {
+  TriangulateOptions keep;
+  read_keep(arguments.keep, arguments.input.file, keep);
+  if (arguments.keep.any() &&
+      std::none_of(choices.begin(), choices.end(),
+                   [](const Choice& choice) { return counts_minima(choice.objective); }))
+    throw ParameterError(
+        "minima to keep are for objectives that remove minima; name one, like min-local-minima");
+  options.min_pit_depth = keep.min_pit_depth;
+  options.keep = std::move(keep.keep);
 }
 
 PointTable read_truth(const std::string& path, const std::string& columns) {
@@ -154,6 +175,7 @@ Json row_json(const ComparisonRow& row) {
           {"value", to_json(row.value.result)},
           {"bound", to_json(row.value.bound)},
           {"optimal", row.value.optimal},
+          {"mean_angle", optional_json(row.mean_angle)},
           {"gap", optional_json(row.gap())},
           {"change_percent", optional_json(row.change())},
           {"order", row.order},
@@ -180,13 +202,22 @@ Json comparison_json(const Comparison& comparison, const TakenColumns& columns) 
   for (const ObjectiveComparison& objective : comparison.objectives) {
     Json rows = Json::array();
     for (const ComparisonRow& row : objective.rows) rows.push_back(row_json(row));
-    objectives.push_back({{"objective", name_of(objective.objective)}, {"rows", std::move(rows)}});
+    objectives.push_back(
+        {{"objective", name_of(objective.objective)},
+         {"unchanged",
+          objective.why_unchanged.empty() ? Json(nullptr) : Json(objective.why_unchanged)},
+         {"rows", std::move(rows)}});
   }
-  return {
-      {"points", comparison.points},         {"columns", to_json(columns)},
-      {"duplicates", comparison.duplicates}, {"delaunay_pits", pits_json(comparison.delaunay_pits)},
-      {"truth", truth_json(comparison)},     {"orders", comparison.orders},
-      {"objectives", std::move(objectives)}};
+  return {{"points", comparison.points},
+          {"columns", to_json(columns)},
+          {"duplicates", comparison.duplicates},
+          {"duplicate_heights", heights_json(comparison.duplicate_heights)},
+          {"kept", comparison.kept ? Json(*comparison.kept) : Json(nullptr)},
+          {"polygons_without_points", comparison.empty_polygons},
+          {"delaunay_pits", pits_json(comparison.delaunay_pits)},
+          {"truth", truth_json(comparison)},
+          {"orders", comparison.orders},
+          {"objectives", std::move(objectives)}};
 }
 
 std::string summary(const Comparison& comparison, const TakenColumns& columns,
@@ -196,9 +227,16 @@ std::string summary(const Comparison& comparison, const TakenColumns& columns,
     text += fmt::format("{:<9} {}\n", fact.name, fact.text);
   text += fmt::format("{:<9} {}\n", "columns", text_of(columns));
   if (!output.empty()) text += fmt::format("{:<9} {}\n", "written", shown(output));
+  const bool many = comparison.objectives.size() > 1;
+  if (many) text += "\n" + aligned(summary_table(comparison));
   for (const ObjectiveComparison& objective : comparison.objectives)
-    text += fmt::format("\n{}\n{}", name_of(objective.objective),
-                        aligned(table_of(comparison, objective)));
+    if (!many || objective.why_unchanged.empty())
+      text += fmt::format("\n{}\n{}", name_of(objective.objective),
+                          aligned(table_of(comparison, objective)));
+  for (const ObjectiveComparison& objective : comparison.objectives)
+    if (!objective.why_unchanged.empty())
+      text += fmt::format("\n{}: 0 % at every order. {}\n", name_of(objective.objective),
+                          objective.why_unchanged);
   return text;
 }
 
@@ -212,6 +250,7 @@ int run(const Arguments& arguments) {
   check_columns(arguments.input.columns);
   check_columns(arguments.truth_columns, "--truth-columns");
   check_files(arguments);
+  read_keep(arguments, choices, options);
 
   Comparison comparison;
   TakenColumns columns;
@@ -239,8 +278,7 @@ int run(const Arguments& arguments) {
   }
   Outputs outputs;
   if (!arguments.output.empty())
-    outputs.open(arguments.output)
-        .write(comparison_page(comparison, display_name(arguments.input.file)));
+    outputs.open(arguments.output).write(comparison_page(comparison, arguments.input.file));
   outputs.write_json(comparison_json(comparison, columns), arguments.json);
   outputs.commit(summary(comparison, columns, arguments.output));
   return kOk;
@@ -276,6 +314,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->type_name("FILE");
   add_columns(command, "--truth-columns", arguments->truth_columns,
               "Columns of the truth that hold x, y and z, as in --columns");
+  add_keep(command, arguments->keep);
   command
       .add_option("--time-limit", arguments->time_limit,
                   "Seconds that each search may take (default: 0, no limit)")

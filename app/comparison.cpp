@@ -5,7 +5,10 @@
 #include <limits>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
+#include "app/mean_angle.h"
+#include "app/unchanged.h"
 #include <fmt/format.h>
 
 #include "hodt/tin/interpolate.h"
@@ -70,15 +73,26 @@ class Comparer {
       : points_(points), truth_(truth), options_(options) {}
 
   Comparison run() const {
+    Prepared prepared = prepare(points_, {.min_pit_depth = options_.min_pit_depth,
+                                          .keep = options_.keep,
+                                          .progress = options_.progress});
+    prepared.report.seconds = {};  // of each row its own
+
     Comparison comparison;
     comparison.points = points_.size();
+    comparison.duplicates = prepared.report.duplicates;
+    comparison.duplicate_heights = prepared.report.duplicate_heights;
+    comparison.empty_polygons = prepared.keep.empty_polygons;
+    if (!prepared.keep.is_kept.empty()) comparison.kept = prepared.keep.count;
     comparison.orders = options_.orders;
-    const TriangulateResult delaunay = triangulated(Objective::none, 0);
-    comparison.duplicates = delaunay.report.duplicates;
+    const TriangulateResult delaunay = triangulated(prepared, Objective::none, 0);
     comparison.delaunay_pits = delaunay.report.pits;
     if (truth_) comparison.truth = truth_summary(delaunay.tin);
-    for (const Objective& objective : options_.objectives)
-      comparison.objectives.push_back({objective, rows(objective)});
+    for (const Objective& objective : options_.objectives) {
+      ObjectiveComparison rows = compared(prepared, objective);
+      rows.why_unchanged = why_unchanged(rows, prepared.delaunay);
+      comparison.objectives.push_back(std::move(rows));
+    }
     return comparison;
   }
 
@@ -88,13 +102,15 @@ class Comparer {
     return {truth_->size(), truth_->size() - errors.count(), errors.fit()};
   }
 
-  std::vector<ComparisonRow> rows(const Objective& objective) const {
-    std::vector<ComparisonRow> rows;
-    for (const Index k : options_.orders) rows.push_back(row(triangulated(objective, k)));
-    return rows;
+  ObjectiveComparison compared(const Prepared& prepared, const Objective& objective) const {
+    ObjectiveComparison comparison{objective, {}};
+    for (const Index k : options_.orders)
+      comparison.rows.push_back(row(triangulated(prepared, objective, k)));
+    return comparison;
   }
 
-  TriangulateResult triangulated(const Objective& objective, Index k) const {
+  TriangulateResult triangulated(const Prepared& prepared, const Objective& objective,
+                                 Index k) const {
     TriangulateOptions options;
     options.order = k;
     options.objective = objective;
@@ -105,7 +121,7 @@ class Comparer {
         options_.progress(fmt::format("{}, k = {}, {}", name, k, phase), done);
       };
     }
-    return triangulate(points_, options);
+    return triangulate(points_, prepared, options);
   }
 
   ComparisonRow row(const TriangulateResult& result) const {
@@ -113,6 +129,7 @@ class Comparer {
     ComparisonRow row;
     row.k = report.k;
     row.value = *report.value;
+    if (const auto count = angles_in_sum(report)) row.mean_angle = row.value.result / *count;
     row.order = report.order;
     row.smallest_angle = smallest_angle(result.tin);
     if (report.extrema_result) row.local_minima = report.extrema_result->minima.total();
@@ -136,6 +153,14 @@ std::optional<double> ComparisonRow::gap() const {
 
 std::optional<double> ComparisonRow::change() const {
   return percent(value.result - value.delaunay, value.delaunay);
+}
+
+const ComparisonRow& ObjectiveComparison::best() const {
+  const bool maximizes =
+      objective.kind == Objective::measured && objective.direction == Direction::maximize;
+  return *std::min_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
+    return maximizes ? a.value.result > b.value.result : a.value.result < b.value.result;
+  });
 }
 
 Comparison compare(const PointSet& points, const PointSet* truth,

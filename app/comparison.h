@@ -24,6 +24,7 @@ struct Fit {
 struct ComparisonRow {
   Index k = 0;
   Value value;
+  std::optional<double> mean_angle;  ///< of a sum of angles, in degrees
   Index order = 0;
   /// Of the whole mesh, in degrees.
   double smallest_angle = 0;
@@ -42,6 +43,10 @@ struct ComparisonRow {
 struct ObjectiveComparison {
   Objective objective;
   std::vector<ComparisonRow> rows;  ///< one an order
+  std::string why_unchanged = {};   ///< see unchanged.h
+
+  /// The row with the best value, the first of these.
+  const ComparisonRow& best() const;
 };
 
 /// The truth points, and how the Delaunay triangulation fits them.
@@ -54,6 +59,9 @@ struct TruthSummary {
 struct Comparison {
   std::size_t points = 0;
   std::size_t duplicates = 0;
+  std::optional<DuplicateHeights> duplicate_heights;  ///< empty without heights
+  std::optional<std::size_t> kept;                    ///< minima; empty if none were asked for
+  std::size_t empty_polygons = 0;
   std::vector<Index> orders;
   std::optional<PitTotals> delaunay_pits;  ///< empty without heights
   std::optional<TruthSummary> truth;
@@ -65,6 +73,9 @@ struct ComparisonOptions {
   std::vector<Objective> objectives;
   /// Seconds that one search may take; 0: no limit.
   double time_limit = 0;
+  /// As in TriangulateOptions, for the objectives that count minima.
+  double min_pit_depth = 0;
+  Places keep;
   Progress progress;
 };
 

@@ -1,9 +1,12 @@
 #include "app/comparison_page.h"
 
+#include <filesystem>
+
 #include "app/comparison_chart.h"
 #include "app/comparison_table.h"
 #include <fmt/format.h>
 
+#include "hodt/io/input_text.h"
 #include "hodt/picture/markup.h"
 
 namespace hodt::app {
@@ -11,23 +14,28 @@ namespace hodt::app {
 namespace {
 
 constexpr std::string_view kStyle = R"(
-body { margin: 0 auto; max-width: 60rem; padding: 2.5rem 1.5rem 4rem; background: #ffffff;
-  color: #2b2a28; font: 16px/1.55 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; }
-h1 { font-size: 1.7rem; font-weight: 600; margin: 0 0 0.3rem; }
-h2 { font-size: 1.2rem; font-weight: 600; margin: 3.2rem 0 0.8rem; padding-top: 1.2rem;
+body { margin: 0 auto; max-width: 60rem; padding: 2rem 1.5rem 4rem; background: #ffffff;
+  color: #2b2a28; font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; }
+h1 { font-size: 1.7rem; font-weight: 600; margin: 0 0 0.3rem; overflow-wrap: anywhere; }
+h2 { font-size: 1.2rem; font-weight: 600; margin: 3rem 0 0.8rem; padding-top: 1.2rem;
   border-top: 1px solid #e4e1db; }
 p { max-width: 44rem; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.15rem 1.2rem; margin: 1.2rem 0; }
 dt { color: #75716a; }
-dd { margin: 0; }
-nav a { margin-right: 1.1rem; white-space: nowrap; color: #0f55a8; text-decoration: none; }
-nav a:hover { text-decoration: underline; }
+dd { margin: 0; overflow-wrap: anywhere; }
+a { color: #0f55a8; text-decoration: none; }
+a:hover { text-decoration: underline; }
+details { margin: 0.8rem 0; }
+summary { cursor: pointer; }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; width: 100%; font-size: 0.9rem;
+table { border-collapse: collapse; width: 100%; font-size: 0.8rem;
   font-variant-numeric: tabular-nums; }
-th, td { padding: 0.32rem 0.6rem; text-align: right; white-space: nowrap; }
-th { color: #75716a; font-weight: 500; border-bottom: 1px solid #b9b4aa; }
+th, td { padding: 0.3rem 0.35rem; text-align: right; white-space: nowrap; }
+th { color: #75716a; font-weight: 500; border-bottom: 1px solid #b9b4aa; white-space: normal;
+  vertical-align: bottom; line-height: 1.25; }
 td { border-bottom: 1px solid #eeebe6; }
+.summary table { font-size: 0.95rem; }
+.summary th:first-child, .summary td:first-child { text-align: left; }
 svg { display: block; width: 100%; margin: 0 0 1.2rem; }
 svg text { font: 13px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; fill: #5d5952; }
 svg .grid { stroke: #eeebe6; }
@@ -37,13 +45,25 @@ svg .axis { stroke: #b9b4aa; }
 constexpr std::string_view kExplanation =
     "<p>A triangulation of order k has at most k points inside the circumcircle of any triangle; "
     "k&nbsp;=&nbsp;0 is the Delaunay triangulation. For each k, <em>value</em> is the best that "
-    "was found, and no triangulation of order k can be better than <em>bound</em>. "
+    "was found, and no triangulation of order k can be better than <em>bound</em>; "
+    "<em>proved</em> means that it is reached. "
     "<em>Change</em> is against the Delaunay triangulation, <em>order</em> the largest order of a "
-    "triangle, <em>smallest angle</em> that of the whole mesh, <em>seconds</em> the time of "
-    "search, bound and verification. <em>Interior</em> are the local minima that are not on the "
+    "triangle, <em>smallest angle</em> that of the whole mesh, <em>mean</em> that of the angles "
+    "that a value adds up, <em>seconds</em> the time of search, bound and verification.";
+
+constexpr std::string_view kPitsExplanation =
+    " <em>Interior</em> are the local minima that are not on the "
     "hull. How deep these pits are until they flow over: <em>pit depth</em> is the sum, "
     "<em>deepest</em> the largest. <em>Pit volume</em> is the water that stands on the surface "
-    "once all are full.</p>\n";
+    "once all are full.";
+
+/// The file's name as a title: no folders, no extension.
+std::string title_of(const std::string& input) {
+  if (input == "-") return "points from standard input";
+  std::filesystem::path name = std::filesystem::path(input).filename();
+  if (name.extension() == ".gz") name = name.stem();
+  return display_name(name.stem());
+}
 
 std::string head(const std::string& title) {
   return fmt::format(
@@ -53,50 +73,88 @@ std::string head(const std::string& title) {
       escaped(title), kStyle);
 }
 
-std::string facts_list(const Comparison& comparison) {
+std::string facts_list(const Comparison& comparison, const std::string& input) {
   std::string html = "<dl>\n";
-  for (const auto& [name, text] : facts_of(comparison))
+  const auto add = [&](const std::string& name, const std::string& text) {
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(text));
+  };
+  if (input != "-") add("file", display_name(std::filesystem::path(input).filename()));
+  for (const auto& [name, text] : facts_of(comparison)) add(name, text);
   return html + "</dl>\n";
 }
 
-std::string links(const Comparison& comparison) {
-  if (comparison.objectives.size() < 2) return {};
-  std::string html = "<nav>\n";
-  for (const ObjectiveComparison& objective : comparison.objectives) {
-    const std::string name = name_of(objective.objective);
-    html += fmt::format("<a href=\"#{}\">{}</a>\n", name, name);
-  }
-  return html + "</nav>\n";
+std::string link_to(const std::string& objective) {
+  return fmt::format("<a href=\"#{}\">{}</a>", objective, objective);
 }
 
-std::string table_row(const std::vector<std::string>& cells, std::string_view tag) {
+template <class CellText>
+std::string table_row(const std::vector<std::string>& cells, std::string_view tag,
+                      const CellText& text) {
   std::string html = "<tr>";
-  for (const std::string& cell : cells) html += fmt::format("<{}>{}</{}>", tag, escaped(cell), tag);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    html += fmt::format("<{}>{}</{}>", tag, text(i, cells[i]), tag);
   return html + "</tr>\n";
 }
 
-std::string html_table(const Table& table) {
-  std::string html = "<div class=\"scroll\"><table>\n<thead>\n" + table_row(table.headings, "th") +
-                     "</thead>\n<tbody>\n";
-  for (const auto& row : table.rows) html += table_row(row, "td");
+template <class CellText>
+std::string html_table(const Table& table, std::string_view name, const CellText& text) {
+  const auto plain = [](std::size_t, const std::string& cell) { return escaped(cell); };
+  std::string html = fmt::format("<div class=\"{}\"><table>\n<thead>\n", name) +
+                     table_row(table.headings, "th", plain) + "</thead>\n<tbody>\n";
+  for (const auto& row : table.rows) html += table_row(row, "td", text);
   return html + "</tbody>\n</table></div>\n";
+}
+
+/// What is gained at best, and what gains nothing.
+std::string summary(const Comparison& comparison) {
+  std::string html;
+  if (const Table table = summary_table(comparison); !table.rows.empty())
+    html += html_table(table, "summary", [](std::size_t column, const std::string& cell) {
+      return column == 0 ? link_to(cell) : escaped(cell);
+    });
+  std::string unchanged;
+  for (const ObjectiveComparison& objective : comparison.objectives)
+    if (!objective.why_unchanged.empty())
+      unchanged += (unchanged.empty() ? "" : ", ") + link_to(name_of(objective.objective));
+  if (!unchanged.empty()) html += fmt::format("<p>No order changes {}.</p>\n", unchanged);
+  return html;
+}
+
+std::string chart_and_table(const Comparison& comparison, const ObjectiveComparison& objective) {
+  return comparison_chart(objective) +
+         html_table(table_of(comparison, objective), "scroll",
+                    [](std::size_t, const std::string& cell) { return escaped(cell); });
 }
 
 std::string section(const Comparison& comparison, const ObjectiveComparison& objective) {
   const std::string name = name_of(objective.objective);
-  return fmt::format("<section>\n<h2 id=\"{}\">{}</h2>\n{}{}</section>\n", name, name,
-                     comparison_chart(objective), html_table(table_of(comparison, objective)));
+  return fmt::format("<section>\n<h2 id=\"{}\">{}</h2>\n{}</section>\n", name, name,
+                     chart_and_table(comparison, objective));
+}
+
+std::string folded(const Comparison& comparison, const ObjectiveComparison& objective) {
+  const std::string name = name_of(objective.objective);
+  return fmt::format("<details id=\"{}\">\n<summary><b>{}</b>: {}</summary>\n{}</details>\n", name,
+                     name, escaped(objective.why_unchanged),
+                     chart_and_table(comparison, objective));
 }
 
 }  // namespace
 
-std::string comparison_page(const Comparison& comparison, std::string_view name) {
-  const std::string title = fmt::format("What higher orders gain: {}", name);
+std::string comparison_page(const Comparison& comparison, const std::string& input) {
+  const std::string title = fmt::format("What higher orders gain: {}", title_of(input));
   std::string html = head(title) + fmt::format("<body>\n<h1>{}</h1>\n", escaped(title));
-  html += facts_list(comparison) + std::string(kExplanation) + links(comparison);
+  html += facts_list(comparison, input) + summary(comparison) + std::string(kExplanation);
+  if (comparison.delaunay_pits) html += kPitsExplanation;
+  html += "</p>\n";
+  std::string unchanged;
   for (const ObjectiveComparison& objective : comparison.objectives)
-    html += section(comparison, objective);
+    if (objective.why_unchanged.empty())
+      html += section(comparison, objective);
+    else
+      unchanged += folded(comparison, objective);
+  if (!unchanged.empty())
+    html += fmt::format("<section>\n<h2>What no order changes</h2>\n{}</section>\n", unchanged);
   return html + "</body>\n</html>\n";
 }
 

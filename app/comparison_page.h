@@ -2,14 +2,13 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "app/comparison.h"
 
 namespace hodt::app {
 
-/// Tables, and for each objective a chart of value and bound against the order. `name` says what
-/// the points are.
-std::string comparison_page(const Comparison& comparison, std::string_view name);
+/// A summary, and for each objective a table and a chart of value and bound against the order;
+/// folded if nothing changes. `input` is the file of the points.
+std::string comparison_page(const Comparison& comparison, const std::string& input);
 
 }  // namespace hodt::app

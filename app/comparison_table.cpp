@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/common.h"
+#include "app/duplicates_text.h"
+#include "app/keep.h"
 #include <fmt/format.h>
 
 namespace hodt::app {
@@ -128,7 +130,10 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
   const bool heights = !objective.rows.empty() && objective.rows[0].local_minima.has_value();
   const bool fits = comparison.truth && comparison.truth->delaunay;
 
+  const bool means = !objective.rows.empty() && objective.rows[0].mean_angle.has_value();
+
   Table table{{"k", "value", "bound", "proof", "change", "order", "smallest angle"}, {}};
+  if (means) table.headings.insert(table.headings.begin() + 1, "mean");
   if (heights)
     table.headings.insert(table.headings.end(),
                           {"local minima", "interior", "pit depth", "deepest", "pit volume"});
@@ -143,6 +148,7 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
                                    change_text(row),
                                    fmt::format("{}", row.order),
                                    fmt::format("{:.3g}°", row.smallest_angle)};
+    if (means) cells.insert(cells.begin() + 1, fmt::format("{:.4f}°", row.mean_angle.value_or(0)));
     if (heights) {
       cells.push_back(fmt::format("{}", row.local_minima.value_or(0)));
       for (std::string& cell : pits.of(row.pits.value_or(PitTotals{})))
@@ -154,6 +160,20 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
     }
     cells.push_back(fmt::format("{:.3f}", row.seconds));
     table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+Table summary_table(const Comparison& comparison) {
+  Table table{{"objective", "Delaunay", "best", "at k", "change", "proof"}, {}};
+  for (const ObjectiveComparison& objective : comparison.objectives) {
+    if (objective.rows.empty() || !objective.why_unchanged.empty()) continue;
+    const ComparisonRow& best = objective.best();
+    ColumnFormat format;
+    for (const double value : {best.value.delaunay, best.value.result}) format.include(value);
+    table.rows.push_back({name_of(objective.objective), format.text(best.value.delaunay),
+                          format.text(best.value.result), fmt::format("{}", best.k),
+                          change_text(best), proof_text(best)});
   }
   return table;
 }
@@ -178,14 +198,17 @@ std::string aligned(const Table& table) {
 }
 
 std::vector<Fact> facts_of(const Comparison& comparison) {
-  std::vector<Fact> facts{{"points", fmt::format("{}, {} dropped", comparison.points,
-                                                 counted(comparison.duplicates, "duplicate"))}};
+  std::vector<Fact> facts{
+      {"points", fmt::format("{}, {}", comparison.points,
+                             dropped_text(comparison.duplicates, comparison.duplicate_heights))}};
   if (comparison.delaunay_pits) {
     const std::vector<std::string> cells = PitCells(comparison).of(*comparison.delaunay_pits);
     facts.push_back({"pits", fmt::format("Delaunay: {}, {} deep in all, the deepest {}, volume {}",
                                          interior_minima(comparison.delaunay_pits->count), cells[1],
                                          cells[2], cells[3])});
   }
+  if (comparison.kept)
+    facts.push_back({"kept", kept_text(*comparison.kept, comparison.empty_polygons)});
   if (!comparison.truth) return facts;
   const TruthSummary& truth = *comparison.truth;
   facts.push_back({"truth", fmt::format("{}, {} outside the hull", counted(truth.points, "point"),

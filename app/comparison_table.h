@@ -16,6 +16,9 @@ struct Table {
 /// One row an order. Columns that no row has anything for are left out.
 Table table_of(const Comparison& comparison, const ObjectiveComparison& objective);
 
+/// One row for each objective that changes: what it gains at best.
+Table summary_table(const Comparison& comparison);
+
 /// Columns flush right, two spaces apart.
 std::string aligned(const Table& table);
 

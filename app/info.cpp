@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/duplicates_text.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/parallel.h"
+#include "hodt/delaunay/spatial_order.h"
 #include "hodt/geometry/predicates.h"
 
 namespace hodt::app {
@@ -27,6 +29,7 @@ struct Range {
 struct Findings {
   std::size_t points = 0;
   std::size_t distinct = 0;
+  std::optional<DuplicateHeights> duplicate_heights;
   Range x, y;
   std::optional<Range> z;
   TakenColumns columns;
@@ -59,7 +62,9 @@ Findings examine(const PointTable& table) {
   Findings findings;
   findings.columns = table.columns;
   findings.points = points.size();
-  findings.distinct = count_distinct(points);
+  const VertexSet distinct = spatial_order(points).vertices;
+  findings.distinct = distinct.size();
+  if (points.has_heights()) findings.duplicate_heights = distinct.duplicate_heights;
   findings.x = range_of(points.xy, [](const Point& p) { return p.x; });
   findings.y = range_of(points.xy, [](const Point& p) { return p.y; });
   if (points.has_heights()) findings.z = range_of(points.z, [](double z) { return z; });
@@ -71,6 +76,8 @@ Findings examine(const PointTable& table) {
   }
   if (findings.distinct < findings.points) {
     findings.hints.push_back("of points with equal x and y, the lowest stays");
+    if (const std::string higher = higher_text(findings.duplicate_heights); !higher.empty())
+      findings.hints.push_back("of points with equal x and y, " + higher);
   }
   if (!findings.z) findings.hints.push_back("no heights: planar objectives and 'none' only");
   findings.hints.insert(findings.hints.end(), table.warnings.begin(), table.warnings.end());
@@ -85,6 +92,7 @@ Json findings_json(const Findings& findings) {
   return {{"points", findings.points},
           {"distinct", findings.distinct},
           {"duplicates", findings.points - findings.distinct},
+          {"duplicate_heights", heights_json(findings.duplicate_heights)},
           {"x", to_json(findings.x)},
           {"y", to_json(findings.y)},
           {"columns", app::to_json(findings.columns)},

@@ -2,13 +2,15 @@
 #include <string>
 #include <utility>
 
+#include "app/duplicates_text.h"
+#include "app/keep.h"
+#include "app/mean_angle.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/io/places_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/pipeline.h"
 
@@ -23,8 +25,7 @@ struct Arguments {
   std::string objective = "min-local-minima";
   std::string method = "auto";
   std::string time_limit;
-  std::string keep;
-  std::string min_pit_depth;
+  KeepArguments keep;
   std::string threads;
   std::string json;
 };
@@ -44,17 +45,29 @@ Json value_json(const Report& report) {
           {"optimal", report.value->optimal}};
 }
 
+/// Of a sum of angles.
+Json mean_json(const Report& report) {
+  const std::optional<double> count = angles_in_sum(report);
+  if (!report.value || !count) return nullptr;
+  return {{"delaunay", to_json(report.value->delaunay / *count)},
+          {"result", to_json(report.value->result / *count)},
+          {"bound", to_json(report.value->bound / *count)}};
+}
+
 Json report_json(const Report& report, const Order& k, const TakenColumns& columns) {
   return {{"points", report.points},
           {"columns", to_json(columns)},
           {"duplicates", report.duplicates},
+          {"duplicate_heights", heights_json(report.duplicate_heights)},
           {"triangles", report.triangles},
           {"k", to_json(k)},
           {"order", report.order},
           {"order_histogram", report.order_histogram},
           {"objective", name_of(report.objective)},
           {"kept", report.kept},
+          {"polygons_without_points", report.empty_polygons},
           {"value", value_json(report)},
+          {"mean", mean_json(report)},
           {"local_minima", extrema_json(report, &ExtremaCount::minima)},
           {"local_maxima", extrema_json(report, &ExtremaCount::maxima)},
           {"pits", extrema_json(report, &ExtremaCount::pits)},
@@ -76,8 +89,8 @@ std::string extrema_line(std::string_view name, const Report& report,
 }
 
 std::string summary(const Report& report, const TakenColumns& columns, const Arguments& arguments) {
-  std::string text = fmt::format("{:<13} {}, {} dropped\n", "points", report.points,
-                                 counted(report.duplicates, "duplicate"));
+  std::string text = fmt::format("{:<13} {}, {}\n", "points", report.points,
+                                 dropped_text(report.duplicates, report.duplicate_heights));
   text += fmt::format("{:<13} {}\n", "columns", text_of(columns));
   text += fmt::format("{:<13} {}, of order {} at most (allowed: {})\n", "triangles",
                       report.triangles, report.order, parse_order(arguments.order).digits);
@@ -85,9 +98,13 @@ std::string summary(const Report& report, const TakenColumns& columns, const Arg
     text += fmt::format("{:<13} {} -> {}, proven bound {}{}\n", name_of(report.objective),
                         report.value->delaunay, report.value->result, report.value->bound,
                         report.value->optimal ? ": optimal" : "");
+    if (const std::optional<double> count = angles_in_sum(report))
+      text += fmt::format("{:<13} {:.4f}° -> {:.4f}°, proven bound {:.4f}°\n", "mean angle",
+                          report.value->delaunay / *count, report.value->result / *count,
+                          report.value->bound / *count);
   }
-  if (report.kept > 0)
-    text += fmt::format("{:<13} {}\n", "kept", counted(report.kept, "local minimum"));
+  if (arguments.keep.any())
+    text += fmt::format("{:<13} {}\n", "kept", kept_text(report.kept, report.empty_polygons));
   text += extrema_line("local minima", report, &ExtremaCount::minima);
   text += extrema_line("local maxima", report, &ExtremaCount::maxima);
   text += extrema_line("pits", report, &ExtremaCount::pits);
@@ -104,13 +121,7 @@ TriangulateOptions options_of(const Arguments& arguments) {
   options.method = method_from_name(arguments.method);
   check_method(options.method, options.objective);
   options.time_limit = parse_seconds(arguments.time_limit);
-  options.min_pit_depth = parse_non_negative("--min-pit-depth", "a depth", arguments.min_pit_depth);
-  if (arguments.keep.empty()) return options;
-  if (arguments.input.file == "-" && arguments.keep == "-")
-    throw ParameterError("INPUT and --keep cannot both be standard input");
-  Places places = read_places(arguments.keep);
-  options.keep_places = std::move(places.points);
-  options.keep_outlines = std::move(places.outlines);
+  read_keep(arguments.keep, arguments.input.file, options);
   return options;
 }
 
@@ -121,7 +132,7 @@ int run(const Arguments& arguments) {
   check_columns(arguments.input.columns);
   check_output_extension(arguments.output);
   check_targets(arguments.input.file, arguments.output, arguments.json);
-  check_targets(arguments.keep, arguments.output, arguments.json);
+  check_targets(arguments.keep.places, arguments.output, arguments.json);
 
   Stopwatch watch;
   TriangulateResult result;
@@ -176,14 +187,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       .add_option("--time-limit", arguments->time_limit,
                   "Seconds that the search may take (default: 0, no limit)")
       ->type_name("S");
-  command
-      .add_option("--keep", arguments->keep,
-                  "Real pits: points or polygons (GeoJSON) whose minima stay")
-      ->type_name("FILE");
-  command
-      .add_option("--min-pit-depth", arguments->min_pit_depth,
-                  "Only shallower pits are removed (default: 0, all are)")
-      ->type_name("D");
+  add_keep(command, arguments->keep);
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
       ->type_name("FILE");

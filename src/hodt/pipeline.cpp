@@ -11,7 +11,6 @@
 #include "hodt/base/parallel.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
-#include "hodt/hydrology/minima_to_keep.h"
 #include "hodt/optimize/optimize.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
@@ -21,14 +20,16 @@ namespace hodt {
 namespace {
 
 bool asks_to_keep(const TriangulateOptions& options) {
-  return options.min_pit_depth > 0 || !options.keep_places.empty() ||
-         !options.keep_outlines.empty();
+  return options.min_pit_depth > 0 || !options.keep.empty();
 }
 
 /// Before any work is done.
 void check(const PointSet& points, const TriangulateOptions& options) {
   check_heights(options.objective, points.has_heights());
   check_method(options.method, options.objective);
+}
+
+void check_keeps(const TriangulateOptions& options) {
   if (asks_to_keep(options) && !counts_minima(options.objective))
     throw ParameterError(
         fmt::format("minima to keep are for objectives that remove minima; {} is not one",
@@ -83,14 +84,10 @@ ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
 }
 
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
-void optimize_and_verify(Delaunay& delaunay, const TriangulateOptions& options, Report& report) {
+void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
+                         const TriangulateOptions& options, Report& report) {
   DelaunayGraph graph(delaunay);
   if (options.order > 1) graph.list_neighbours_if_hubs();
-  const Buffer<bool> keep = asks_to_keep(options)
-                                ? minima_to_keep(graph, delaunay.vertices.z, options.min_pit_depth,
-                                                 options.keep_places, options.keep_outlines)
-                                : Buffer<bool>();
-  report.kept = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
   Optimum optimum = optimize(graph, delaunay.vertices.z, options.objective,
                              {.order = options.order,
                               .method = options.method,
@@ -111,29 +108,51 @@ void optimize_and_verify(Delaunay& delaunay, const TriangulateOptions& options, 
 
 }  // namespace
 
-TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
-  check(points, options);
-  TriangulateResult result;
-  Report& report = result.report;
+Prepared prepare(const PointSet& points, const TriangulateOptions& options) {
+  if (asks_to_keep(options) && !points.has_heights())
+    throw ParameterError("minima to keep need heights, and the points have none; add a z column");
   Stopwatch watch;
-
   if (options.progress) options.progress("Delaunay triangulation", -1);
-  Delaunay delaunay = hodt::delaunay(points);
-  const VertexSet& vertices = delaunay.vertices;
+  Prepared prepared{delaunay(points), {}, {}};
+  const auto& [vertices, mesh] = prepared.delaunay;
+  Report& report = prepared.report;
   report.seconds.delaunay = watch.lap();
   report.points = points.size();
   report.duplicates = points.size() - vertices.size();
-  report.triangles = delaunay.mesh.triangle_count();
+  report.triangles = mesh.triangle_count();
+  report.order_histogram = {report.triangles};
+  if (points.has_heights()) {
+    report.duplicate_heights = vertices.duplicate_heights;
+    report.extrema_delaunay = report.extrema_result = extrema_of(mesh, vertices);
+  }
+  if (asks_to_keep(options)) {
+    watch.lap();
+    if (options.progress) options.progress("minima to keep", -1);
+    prepared.keep = minima_to_keep(DelaunayGraph(prepared.delaunay), vertices.z,
+                                   options.min_pit_depth, options.keep);
+    report.seconds.optimize = watch.lap();
+  }
+  return prepared;
+}
+
+TriangulateResult triangulate(const PointSet& points, Prepared prepared,
+                              const TriangulateOptions& options) {
+  check(points, options);
+  TriangulateResult result{{}, std::move(prepared.report)};
+  Report& report = result.report;
+  Delaunay& delaunay = prepared.delaunay;
+  const VertexSet& vertices = delaunay.vertices;
   report.k = options.order;
   report.objective = options.objective;
-  report.order_histogram = {report.triangles};
-  if (points.has_heights()) report.extrema_delaunay = extrema_of(delaunay.mesh, vertices);
-  report.extrema_result = report.extrema_delaunay;
+  if (counts_minima(options.objective)) {
+    report.kept = prepared.keep.count;
+    report.empty_polygons = prepared.keep.empty_polygons;
+  }
 
+  Stopwatch watch;
   if (options.objective != Objective::none) {
-    watch.lap();
-    optimize_and_verify(delaunay, options, report);
-    report.seconds.optimize = watch.lap();
+    optimize_and_verify(delaunay, prepared.keep.is_kept, options, report);
+    report.seconds.optimize += watch.lap();
     if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices);
   }
   if (options.measure_pits && points.has_heights())
@@ -145,6 +164,12 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
   report.seconds.delaunay += watch.lap();
   result.tin.points = kept_points(points, numbering, vertices.size());
   return result;
+}
+
+TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
+  check(points, options);
+  check_keeps(options);
+  return triangulate(points, prepare(points, options), options);
 }
 
 }  // namespace hodt

@@ -8,7 +8,10 @@
 
 #include "hodt/base/ids.h"
 #include "hodt/base/progress.h"
+#include "hodt/delaunay/delaunay.h"
+#include "hodt/geometry/places.h"
 #include "hodt/geometry/point_set.h"
+#include "hodt/hydrology/minima_to_keep.h"
 #include "hodt/hydrology/pit_water.h"
 #include "hodt/optimize/optimize.h"
 #include "hodt/tin/extrema.h"
@@ -26,10 +29,9 @@ struct TriangulateOptions {
   double time_limit = 0;
   /// Real pits that stay, for the objectives min-local-minima and min-local-extrema: local minima
   /// of the Delaunay triangulation that are at least so deep (see pit_depths.h; 0: all may go), and
-  /// those that one of the places drains to or one of the outlines contains.
+  /// those that one of the points drains to or one of the polygons contains.
   double min_pit_depth = 0;
-  std::vector<Point> keep_places = {};
-  std::vector<std::vector<Point>> keep_outlines = {};
+  Places keep = {};
   /// Whether the report says how deep the pits are and what they hold. The flood for it takes
   /// longer than the triangulation.
   bool measure_pits = false;
@@ -49,6 +51,7 @@ struct Seconds {
 struct Report {
   std::size_t points = 0;      ///< data rows of the input
   std::size_t duplicates = 0;  ///< rows dropped because another has the same (x, y)
+  std::optional<DuplicateHeights> duplicate_heights;  ///< empty if the input has no heights
   std::size_t triangles = 0;
   Index k = 0;
   /// The largest order of a triangle of the result.
@@ -58,6 +61,8 @@ struct Report {
   Objective objective = Objective::none;
   /// Local minima that were to stay.
   std::size_t kept = 0;
+  /// Polygons to keep minima in that no point is in.
+  std::size_t empty_polygons = 0;
   std::optional<Value> value;  ///< empty for Objective::none
   /// Of the Delaunay triangulation and of the result; empty if the input has no heights.
   std::optional<ExtremaCount> extrema_delaunay;
@@ -78,6 +83,24 @@ struct TriangulateResult {
 /// objective as hodt can. Throws InputError if there is no triangle (fewer than three distinct
 /// points, or all on a line) or a coordinate is not finite, ParameterError if the objective needs
 /// heights and the points have none. Fills all of the report but seconds.read and seconds.write.
+/// InputError also if the places to keep cannot be on the points' map (see check_places.h).
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options = {});
+
+/// What triangulate() begins with, whatever the order and the objective.
+struct Prepared {
+  Delaunay delaunay;
+  MinimaToKeep keep;
+  /// As far as it is known.
+  Report report;
+};
+
+/// Looks at options.min_pit_depth, .keep and .progress only. Throws what triangulate() throws.
+Prepared prepare(const PointSet& points, const TriangulateOptions& options = {});
+
+/// The rest of the job, on a Delaunay triangulation of its own: for many orders and objectives,
+/// pass copies. Does not look at options.min_pit_depth and .keep again; objectives that do not
+/// count minima have none to keep.
+TriangulateResult triangulate(const PointSet& points, Prepared prepared,
+                              const TriangulateOptions& options);
 
 }  // namespace hodt

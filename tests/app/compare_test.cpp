@@ -260,13 +260,67 @@ TEST_F(CompareCommand, WritesAPage) {
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
   EXPECT_EQ(count_of(page, "<svg"), 2u);
-  EXPECT_EQ(count_of(page, "<table>"), 2u);
+  EXPECT_EQ(count_of(page, "<table>"), 3u);  // the summary's too
   EXPECT_EQ(count_of(page, "<circle"), 10u);
-  EXPECT_EQ(count_of(page, "<tr>"), 12u);
+  EXPECT_EQ(count_of(page, "<tr>"), 14u);  // the summary leaves out what is folded
+  EXPECT_LT(page.find("<div class=\"summary\">"), page.find("<svg"));
   EXPECT_NE(page.find("a&lt;b.csv"), std::string::npos);
   EXPECT_EQ(page.find("a<b.csv"), std::string::npos);
   for (const char* foreign : {"http", "<script", "<link", "nan", "inf<"})
     EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
+}
+
+TEST_F(CompareCommand, TheTitleIsNoPath) {
+  ASSERT_EQ(shell("mkdir deep && HODT sample jacksboro -n 100 | gzip > deep/hills.v2.csv.gz && "
+                  "HODT compare deep/hills.v2.csv.gz --orders 0 -o page.html")
+                .exit_code,
+            0);
+  const std::string page = content_of(directory_ / "page.html");
+  EXPECT_NE(page.find("<title>What higher orders gain: hills.v2</title>"), page.npos);
+  EXPECT_EQ(page.find("deep/"), page.npos);
+}
+
+TEST_F(CompareCommand, FoldsWhatOneTriangleDecides) {
+  // A lattice with a far point: the slivers towards it are the largest, and cannot go.
+  std::string points = "x,y,z\n500,2,0\n";
+  for (int i = 0; i < 36; ++i)
+    points += std::to_string(i % 6) + "," + std::to_string(i / 6) + "," +
+              std::to_string(i * 7 % 10) + "\n";
+  put("points.csv", points);
+  const std::string arguments =
+      "points.csv --orders 0-2 --objective min-max-area,min-sum-angle,min-local-minima ";
+  const Json objectives = compared(arguments)["objectives"];
+  EXPECT_NE(std::string(objectives[0]["unchanged"]).find("at the outline"), std::string::npos);
+  EXPECT_EQ(objectives[0]["rows"].size(), 3u);
+  EXPECT_TRUE(objectives[1]["unchanged"].is_null());
+  EXPECT_TRUE(objectives[2]["unchanged"].is_null());
+  const Outcome outcome = run("compare " + arguments + "-o page.html");
+  EXPECT_NE(outcome.out.find("min-max-area: 0 % at every order. A triangle at the outline"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(count_of(outcome.out, "smallest angle"), 2u);
+  const std::string page = content_of(directory_ / "page.html");
+  EXPECT_EQ(count_of(page, "<details"), 1u);
+  EXPECT_EQ(count_of(page, "<svg"), 3u);
+  // Orders above 0 were not asked for.
+  EXPECT_TRUE(
+      compared("points.csv --orders 0 --objective min-max-area")["objectives"][0]["unchanged"]
+          .is_null());
+}
+
+TEST_F(CompareCommand, TellsTheMeanOfAnglesAddedUp) {
+  put("points.csv", "0,0,0\n4,0,1\n0,4,1\n4,4,5\n");
+  const Json objectives = compared(
+      "points.csv --orders 0 --objective min-sum-angle,min-sum-abn,min-sum-length")["objectives"];
+  EXPECT_NEAR(objectives[0]["rows"][0]["value"], 180, 1e-9);
+  EXPECT_NEAR(objectives[0]["rows"][0]["mean_angle"], 90, 1e-9);
+  EXPECT_EQ(objectives[1]["rows"][0]["value"], objectives[1]["rows"][0]["mean_angle"]);
+  EXPECT_TRUE(objectives[2]["rows"][0]["mean_angle"].is_null());
+  const Outcome outcome =
+      run("triangulate points.csv -o t.obj --objective max-sum-small-angle --json j.json");
+  EXPECT_NE(outcome.out.find("mean angle    45.0000° -> 45.0000°"), std::string::npos)
+      << outcome.out;
+  EXPECT_NEAR(json("j.json")["mean"]["bound"], 45, 1e-9);
 }
 
 TEST_F(CompareCommand, TheSameOnAnyThreadCount) {

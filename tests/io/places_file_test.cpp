@@ -14,7 +14,7 @@ namespace {
 using test::message_of;
 using test::TemporaryDirectory;
 
-using Outline = std::vector<Point>;
+using Ring = std::vector<Point>;
 
 Places places_of(const std::string& text, const std::string& name = "places.geojson") {
   const TemporaryDirectory directory;
@@ -27,18 +27,20 @@ std::string refusal_of(const std::string& text) {
 
 TEST(PlacesFile, reads_single_geometries) {
   EXPECT_EQ(places_of(R"({"type": "Point", "coordinates": [1.5, -2, 30]})").points,
-            Outline({{1.5, -2}}));
+            Ring({{1.5, -2}}));
   EXPECT_EQ(places_of(R"({"type": "MultiPoint", "coordinates": [[1, 2], [3, 4]]})").points,
-            Outline({{1, 2}, {3, 4}}));
+            Ring({{1, 2}, {3, 4}}));
   const Places polygon = places_of(
       R"({"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [0, 9], [0, 0]], [[1, 1], [2, 1], [1, 2]]]})");
   EXPECT_TRUE(polygon.points.empty());
-  ASSERT_EQ(polygon.outlines.size(), 1u);  // without the hole
-  EXPECT_EQ(polygon.outlines[0], Outline({{0, 0}, {9, 0}, {0, 9}, {0, 0}}));
+  ASSERT_EQ(polygon.polygons.size(), 1u);
+  ASSERT_EQ(polygon.polygons[0].rings.size(), 2u);
+  EXPECT_EQ(polygon.polygons[0].rings[0], Ring({{0, 0}, {9, 0}, {0, 9}, {0, 0}}));
+  EXPECT_EQ(polygon.polygons[0].rings[1], Ring({{1, 1}, {2, 1}, {1, 2}}));
   const Places two = places_of(
       R"({"type": "MultiPolygon", "coordinates": [[[[0, 0], [1, 0], [0, 1]]], [[[5, 5], [6, 5], [5, 6]]]]})");
-  ASSERT_EQ(two.outlines.size(), 2u);
-  EXPECT_EQ(two.outlines[1], Outline({{5, 5}, {6, 5}, {5, 6}}));
+  ASSERT_EQ(two.polygons.size(), 2u);
+  EXPECT_EQ(two.polygons[1].rings, std::vector<Ring>({{{5, 5}, {6, 5}, {5, 6}}}));
 }
 
 TEST(PlacesFile, reads_collections) {
@@ -48,8 +50,12 @@ TEST(PlacesFile, reads_collections) {
           {"type": "Point", "coordinates": [1, 2]},
           {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1]]]}]}},
       {"type": "Feature", "geometry": {"type": "Point", "coordinates": [3, 4]}}]})");
-  EXPECT_EQ(places.points.size(), 2u);
-  EXPECT_EQ(places.outlines.size(), 1u);
+  EXPECT_EQ(places.points, Ring({{1, 2}, {3, 4}}));
+  EXPECT_EQ(places.part, "feature");
+  EXPECT_EQ(places.part_of_point, std::vector<Index>({2, 3}));
+  EXPECT_EQ(places.polygons.size(), 1u);
+  EXPECT_EQ(places.part_of_polygon, std::vector<Index>({2}));
+  EXPECT_TRUE(places.source.ends_with("places.geojson"));
   EXPECT_TRUE(places_of(R"({"type": "FeatureCollection", "features": []})").points.empty());
 }
 
@@ -60,14 +66,16 @@ TEST(PlacesFile, reads_what_is_nested_deeply) {
     tail += "]}";
   }
   const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
-  EXPECT_EQ(places_of(head + point + tail).points, Outline({{1, 2}}));
+  EXPECT_EQ(places_of(head + point + tail).points, Ring({{1, 2}}));
 }
 
 TEST(PlacesFile, the_name_tells_the_format) {
   const std::string point = R"({"type": "Point", "coordinates": [1, 2]})";
   EXPECT_EQ(places_of(point, "P.GeoJSON").points.size(), 1u);
   EXPECT_EQ(places_of(point, "p.json").points.size(), 1u);
-  EXPECT_EQ(places_of("x,y,z\n1,2,3\n4,5,6\n", "p.csv").points, Outline({{1, 2}, {4, 5}}));
+  const Places table = places_of("x,y,z\n1,2,3\n4,5,6\n", "p.csv");
+  EXPECT_EQ(table.points, Ring({{1, 2}, {4, 5}}));
+  EXPECT_EQ(table.part_of_point, std::vector<Index>({1, 2}));
   EXPECT_THROW(places_of(point, "p.csv"), InputError);
 }
 
@@ -96,6 +104,11 @@ TEST(PlacesFile, refuses_what_it_cannot_use) {
   EXPECT_NE(refusal_of(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})")
                 .find("places.geojson: it has a LineString"),
             std::string::npos);
+  for (const char* rings : {"[[]]", "[[[0, 0], [1, 0]]]", "[[[0, 0], [1, 0], [0, 1]], []]"})
+    EXPECT_NE(refusal_of(R"({"type": "Polygon", "coordinates": )" + std::string(rings) + "}")
+                  .find("ring of fewer than three corners"),
+              std::string::npos)
+        << rings;
   EXPECT_THROW(read_places("no/such/file.geojson"), FileError);
 }
 

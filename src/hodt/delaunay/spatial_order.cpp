@@ -200,14 +200,21 @@ Buffer<Item> sorted_items(const PointSet& points, const Cells& cells) {
 }
 
 /// Sorts runs of equal keys lexicographically, lowest duplicate first, and drops the other
-/// duplicates. Returns how many items are left.
-std::size_t order_within_cells(const PointSet& points, Buffer<Item>& items) {
+/// duplicates, noting their heights. Returns how many items are left.
+std::size_t order_within_cells(const PointSet& points, Buffer<Item>& items,
+                               DuplicateHeights& heights) {
   const auto before = [&](const Item& a, const Item& b) {
     const Point &p = points.xy[a.row], &q = points.xy[b.row];
     if (p.x != q.x || p.y != q.y) return lexicographically_less(p, q);
     if (points.has_heights() && points.z[a.row] != points.z[b.row])
       return points.z[a.row] < points.z[b.row];
     return a.row < b.row;
+  };
+  const auto note = [&](const Item& dropped, const Item& stays) {
+    if (!points.has_heights()) return;
+    const double difference = points.z[dropped.row] - points.z[stays.row];
+    if (difference > 0) ++heights.different;
+    heights.largest_difference = std::max(heights.largest_difference, difference);
   };
   std::size_t kept = 0;
   for (std::size_t first = 0; first < items.size();) {
@@ -220,7 +227,10 @@ std::size_t order_within_cells(const PointSet& points, Buffer<Item>& items) {
       for (std::size_t i = first; i < last; ++i) {
         const bool duplicate =
             i > first && points.xy[items[i].row] == points.xy[items[kept - 1].row];
-        if (!duplicate) items[kept++] = items[i];
+        if (duplicate)
+          note(items[i], items[kept - 1]);
+        else
+          items[kept++] = items[i];
       }
     }
     first = last;
@@ -237,9 +247,8 @@ SpatialOrder spatial_order(const PointSet& points) {
         points.size(), kMaxPoints));
   const Cells cells(bounding_box(points));
   Buffer<Item> items = sorted_items(points, cells);
-  const std::size_t n = order_within_cells(points, items);
-
   SpatialOrder order;
+  const std::size_t n = order_within_cells(points, items, order.vertices.duplicate_heights);
   order.key = Buffer<std::uint64_t>(n);
   order.vertices.xy = Buffer<Point>(n);
   order.vertices.row = Buffer<Index>(n);

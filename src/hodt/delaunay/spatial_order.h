@@ -14,12 +14,20 @@ namespace hodt {
 /// As many points as the ids of their half-edges, 6n, leave room for.
 inline constexpr std::size_t kMaxPoints = kNone / 6;
 
+/// Of points that are dropped because another one has the same (x, y), and a lower height or comes
+/// first.
+struct DuplicateHeights {
+  std::size_t different = 0;  ///< those higher than the one that stays
+  double largest_difference = 0;
+};
+
 /// The vertices of a triangulation: the distinct points of a PointSet along a Z-order curve. Every
 /// stage after the reader computes with these numbers; `row` leads back to the input.
 struct VertexSet {
   Buffer<Point> xy;
   Buffer<double> z;   ///< empty if the input has no heights
   Buffer<Index> row;  ///< the input row of each vertex
+  DuplicateHeights duplicate_heights;
 
   std::size_t size() const { return xy.size(); }
 };

@@ -1,19 +1,27 @@
 // Which local minima are real, and stay.
 #pragma once
 
+#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "hodt/base/buffer.h"
+#include "hodt/geometry/places.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
 
-/// A flag for every vertex: the local minima of the Delaunay triangulation that are at least
-/// `min_depth` deep (see pit_depths.h; 0: none for its depth), that one of the outlines contains,
-/// or that the vertex nearest to one of the places drains to.
-Buffer<bool> minima_to_keep(const DelaunayGraph& graph, std::span<const double> z, double min_depth,
-                            std::span<const Point> places,
-                            std::span<const std::vector<Point>> outlines);
+struct MinimaToKeep {
+  Buffer<bool> is_kept;  ///< of every vertex
+  std::size_t count = 0;
+  /// Polygons that no vertex is in.
+  std::size_t empty_polygons = 0;
+};
+
+/// The local minima of the Delaunay triangulation that are at least `min_depth` deep (see
+/// pit_depths.h; 0: none for its depth), that one of the polygons contains, or that the vertex
+/// nearest to one of the points drains to. Throws InputError if the places cannot be on the map of
+/// the vertices (see check_places.h), or if there are polygons and no vertex is in any.
+MinimaToKeep minima_to_keep(const DelaunayGraph& graph, std::span<const double> z, double min_depth,
+                            const Places& places);
 
 }  // namespace hodt

@@ -1,8 +1,11 @@
 #include "hodt/io/places_file.h"
 
+#include <algorithm>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,10 +40,12 @@ Point point_of(const Json& position) {
   return {number(list(position).at(0)), number(position.at(1))};
 }
 
-std::vector<Point> points_of(const Json& positions) {
-  std::vector<Point> points;
-  for (const Json& position : list(positions)) points.push_back(point_of(position));
-  return points;
+/// Corners of a polygon. A ring of fewer is no ring.
+std::vector<Point> ring_of(const Json& positions) {
+  std::vector<Point> ring;
+  for (const Json& position : list(positions)) ring.push_back(point_of(position));
+  if (ring.size() < 3) throw InputError("it has a polygon's ring of fewer than three corners");
+  return ring;
 }
 
 class Collector {
@@ -62,6 +67,7 @@ class Collector {
     if (type == "FeatureCollection") return open(object.at("features"));
     if (type == "GeometryCollection") return open(object.at("geometries"));
     if (type == "Feature") {
+      ++features_;
       const Json& geometry = object.at("geometry");
       if (!geometry.is_null()) open_.push_back(&geometry);  // a feature may be nowhere
       return;
@@ -69,28 +75,48 @@ class Collector {
     add_geometry(type, object);
   }
 
+  /// The first member is to be the next.
   void open(const Json& members) {
-    for (const Json& member : list(members)) open_.push_back(&member);
+    for (std::size_t i = list(members).size(); i-- > 0;) open_.push_back(&members.at(i));
   }
 
   void add_geometry(std::string_view type, const Json& geometry) {
     const auto coordinates = [&]() -> const Json& { return geometry.at("coordinates"); };
     if (type == "Point")
-      places_.points.push_back(point_of(coordinates()));
+      add_point(coordinates());
     else if (type == "MultiPoint")
-      for (const Json& position : list(coordinates())) places_.points.push_back(point_of(position));
+      for (const Json& position : list(coordinates())) add_point(position);
     else if (type == "Polygon")
-      places_.outlines.push_back(points_of(list(coordinates()).at(0)));
+      add_polygon(coordinates());
     else if (type == "MultiPolygon")
-      for (const Json& polygon : list(coordinates()))
-        places_.outlines.push_back(points_of(list(polygon).at(0)));
+      for (const Json& polygon : list(coordinates())) add_polygon(polygon);
     else
       throw InputError(fmt::format("it has a {}", type));
   }
 
+  void add_point(const Json& position) {
+    places_.points.push_back(point_of(position));
+    places_.part_of_point.push_back(std::max(features_, Index{1}));
+  }
+
+  void add_polygon(const Json& rings) {
+    Polygon polygon{{ring_of(list(rings).at(0))}};
+    for (std::size_t i = 1; i < rings.size(); ++i) polygon.rings.push_back(ring_of(rings.at(i)));
+    places_.polygons.push_back(std::move(polygon));
+    places_.part_of_polygon.push_back(std::max(features_, Index{1}));
+  }
+
   std::vector<const Json*> open_;
+  Index features_ = 0;  // begun so far; a geometry alone is one
   Places places_;
 };
+
+Places read_table(const std::filesystem::path& path) {
+  Places places{read_points(path).xy, {}, display_name(path.string()), "point", {}, {}};
+  places.part_of_point.resize(places.points.size());
+  std::iota(places.part_of_point.begin(), places.part_of_point.end(), Index{1});
+  return places;
+}
 
 }  // namespace
 
@@ -103,7 +129,10 @@ Places parse_places(const InputText& text) {
     }
   };
   try {
-    return collected();
+    Places places = collected();
+    places.source = text.name;
+    places.part = "feature";
+    return places;
   } catch (const InputError& error) {
     throw InputError(
         fmt::format("{}: {}; points and polygons are what it can hold", text.name, error.what()));
@@ -113,7 +142,7 @@ Places parse_places(const InputText& text) {
 Places read_places(const std::filesystem::path& path) {
   if (const std::string extension = format_extension(path);
       extension != ".geojson" && extension != ".json")
-    return {read_points(path).xy, {}};
+    return read_table(path);
   return parse_places(read_input(path));
 }
 

@@ -2,22 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
-#include "hodt/geometry/point.h"
+#include "hodt/geometry/places.h"
 #include "hodt/io/input_text.h"
 
 namespace hodt {
 
-struct Places {
-  std::vector<Point> points;
-  /// Outer rings of polygons. Holes are left out: what is in them is enclosed all the same.
-  std::vector<std::vector<Point>> outlines;
-};
-
 /// Reads the points and polygons of a .geojson or .json file (also with .gz), single, multiple or
-/// collected; any other file, and "-", is a table that read_points() reads. Throws FileError if the
-/// file cannot be read, InputError if it cannot be used or holds anything else, such as lines.
+/// collected; any other file, and "-", is a table that read_points() reads. Their parts are
+/// features (GeoJSON) or points (a table), numbered from 1. Throws FileError if the file cannot be
+/// read, InputError if it cannot be used or holds anything else, such as lines.
 Places read_places(const std::filesystem::path& path);
 
 /// The same of GeoJSON in memory.
