@@ -1,12 +1,14 @@
-// Stage 4: integers of any width.
+// Stage 4: integers of any width. The same integers tell how large a cross product is.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 
 #include "hodt/geometry/exact_determinants.h"
 #include "hodt/geometry/predicate_stages.h"
+#include "hodt/geometry/wide_real.h"
 
-namespace hodt::exact {
+namespace hodt {
+namespace exact {
 namespace {
 
 /// |value| = mantissa * 2^(exponent - 1075).
@@ -37,6 +39,14 @@ class Scale {
   Vector<BigInteger> operator()(const Point& p, const Point& origin) const {
     return {(*this)(p.x) - (*this)(origin.x), (*this)(p.y) - (*this)(origin.y)};
   }
+  /// What a product of two such integers stands for.
+  WideReal value_of_product(const BigInteger& product) const {
+    WideReal value;
+    for (int i = product.size - 1; i >= std::max(product.size - 3, 0); --i)
+      value = value + WideReal(static_cast<double>(product.word[i]), 64 * i);
+    const WideReal unit(1, 2 * (lowest_ - 1075));
+    return (product.negative ? -value : value) * unit;
+  }
 
  private:
   int lowest_ = 2046;
@@ -56,4 +66,12 @@ int in_circle_big(const Point& a, const Point& b, const Point& c, const Point& d
   return in_circle_sign(scale(a, d), scale(b, d), scale(c, d));
 }
 
-}  // namespace hodt::exact
+}  // namespace exact
+
+WideReal exact_cross(const Point& a, const Point& b, const Point& c) {
+  exact::Scale scale;
+  for (const Point& p : {a, b, c}) scale.include(p);
+  return scale.value_of_product(cross(scale(b, a), scale(c, a)));
+}
+
+}  // namespace hodt
