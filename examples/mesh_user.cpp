@@ -12,7 +12,7 @@ int main(int argc, char** argv) try {
   if (argc != 3) return 2;
   const hodt::PointSet points = hodt::read_points(argv[1]);
   const hodt::Objective objective(hodt::Direction::maximize, hodt::Aggregate::sum,
-                                  hodt::Measure::small_angle);
+                                  hodt::TriangleMeasure::small_angle);
   for (const hodt::Index k : {0, 1, 2, 4}) {
     const auto [tin, report] = hodt::triangulate(points, {.order = k, .objective = objective});
     std::printf("k = %u: smallest angle %.3f degrees on average%s\n", k,

@@ -74,16 +74,18 @@ struct Report {
 };
 
 struct TriangulateResult {
-  /// Vertices in input order, dropped duplicates left out.
+  /// Vertices in input order, dropped duplicates left out: if there are none, vertex i is row i of
+  /// the points.
   Tin tin;
   Report report;
 };
 
 /// Triangulates the points, every triangle of order at most options.order, as good for the
 /// objective as hodt can. Throws InputError if there is no triangle (fewer than three distinct
-/// points, or all on a line) or a coordinate is not finite, ParameterError if the objective needs
-/// heights and the points have none. Fills all of the report but seconds.read and seconds.write.
-/// InputError also if the places to keep cannot be on the points' map (see check_places.h).
+/// points, or all on a line), a coordinate is not finite, what the objective measures is out of a
+/// double's range, or the places to keep cannot be on the points' map (see check_places.h);
+/// ParameterError if the objective needs heights and the points have none. Fills all of the report
+/// but seconds.read and seconds.write.
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options = {});
 
 /// What triangulate() begins with, whatever the order and the objective.

@@ -101,6 +101,23 @@ TEST(ExactSum, is_infinite_out_of_range) {
   EXPECT_EQ(sum.up(), -DBL_MAX);
 }
 
+TEST(ExactSum, is_as_infinite_as_its_terms) {
+  const std::vector<double> values(40, 1);
+  for (const double term : {kInfinity, -kInfinity, std::nan("")}) {
+    std::vector<double> with = values;
+    with[3] = term;
+    ExactSum sum;
+    sum.add(values);
+    sum.add(with);
+    for (const double rounded : {sum.nearest(), sum.down(), sum.up()}) {
+      EXPECT_EQ(std::isnan(rounded), std::isnan(term));
+      if (!std::isnan(term)) {
+        EXPECT_EQ(rounded, term);
+      }
+    }
+  }
+}
+
 TEST(ExactSum, halves_go_to_even) {
   for (const double odd : {0.0, 1.0}) {
     ExactSum sum;

@@ -23,12 +23,12 @@ struct Instance {
 };
 
 const Objective kObjectives[] = {
-    {Direction::minimize, Aggregate::sum, Measure::jnd},
-    {Direction::maximize, Aggregate::sum, Measure::jnd},
-    {Direction::minimize, Aggregate::max, Measure::jnd},
-    {Direction::maximize, Aggregate::max, Measure::jnd},
-    {Direction::minimize, Aggregate::min, Measure::jnd},
-    {Direction::maximize, Aggregate::min, Measure::jnd},
+    {Direction::minimize, Aggregate::sum, EdgeMeasure::jnd},
+    {Direction::maximize, Aggregate::sum, EdgeMeasure::jnd},
+    {Direction::minimize, Aggregate::max, EdgeMeasure::jnd},
+    {Direction::maximize, Aggregate::max, EdgeMeasure::jnd},
+    {Direction::minimize, Aggregate::min, EdgeMeasure::jnd},
+    {Direction::maximize, Aggregate::min, EdgeMeasure::jnd},
 };
 
 /// With costs of few values there are many ties.
@@ -116,7 +116,7 @@ TEST(Choices, are_the_best_of_all) {
       const Choices::Result best = choices.best();
       const double expected = optimum_of(instance, objective);
       EXPECT_NEAR(value_of(instance, objective, best.chosen), expected, 1e-9);
-      EXPECT_NEAR(best.bound, expected, 1e-9 * (1 + expected));
+      EXPECT_NEAR(best.bound.value(), expected, 1e-9 * (1 + expected));
       EXPECT_NEAR(choices.value(best.chosen), expected, 1e-9);
     }
   });
@@ -207,9 +207,9 @@ TEST(Choices, of_grids_with_ties_are_the_best_of_all) {
       const double value = value_of(instance, objective, found.chosen);
       const double sign = objective.direction == Direction::minimize ? 1 : -1;
       EXPECT_GE(sign * value, sign * exact->bound - 1e-9);
-      EXPECT_LE(sign * found.bound, sign * exact->bound + 1e-6);
+      EXPECT_LE(sign * found.bound.bound(), sign * exact->bound + 1e-6);
       best += std::fabs(value - exact->bound) < 1e-6;
-      met += std::fabs(value - found.bound) < 1e-6;
+      met += std::fabs(value - found.bound.value()) < 1e-6;
       ++asked;
     }
   }
@@ -226,8 +226,8 @@ TEST(Choices, of_a_large_grid_are_bounded) {
     const Choices::Result found = choices.best();
     const double value = value_of(instance, objective, found.chosen);
     EXPECT_NEAR(choices.value(found.chosen), value, 1e-9 * value);
-    const double gap =
-        objective.direction == Direction::minimize ? value - found.bound : found.bound - value;
+    const double bound = found.bound.value();
+    const double gap = objective.direction == Direction::minimize ? value - bound : bound - value;
     EXPECT_GE(gap, -1e-9 * value) << name_of(objective);
     EXPECT_LE(gap, 0.001 * value) << name_of(objective);
   }

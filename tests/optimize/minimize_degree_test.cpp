@@ -52,7 +52,7 @@ TEST_P(DegreeFamilies, equal_all_triangulations) {
         ASSERT_GE(solution.result, optimum) << what << ' ' << k;
         if (k <= 1) {
           ASSERT_EQ(solution.result, optimum) << what << ' ' << k;
-          ASSERT_TRUE(solution.is_optimal()) << what << ' ' << k;
+          ASSERT_TRUE(solution.is_optimal) << what << ' ' << k;
         }
       }
     }
@@ -94,7 +94,7 @@ TEST(MinimizeDegree, optimal_at_order_1_on_many_random_sets) {
     const Delaunay d = delaunay({support::uniform(60 + seed % 100, seed), {}});
     const DelaunayGraph graph(d);
     const MeasuredSolution solution = minimize_degree(graph, 1, {});
-    ASSERT_TRUE(solution.is_optimal()) << seed;
+    ASSERT_TRUE(solution.is_optimal) << seed;
     ASSERT_LE(solution.result, solution.delaunay);
   }
 }
@@ -104,7 +104,7 @@ TEST(MinimizeDegree, large_sets) {
     const Delaunay d = delaunay({points, {}});
     const DelaunayGraph graph(d);
     const MeasuredSolution first = minimize_degree(graph, 1, {});
-    EXPECT_TRUE(first.is_optimal()) << first.result << ' ' << first.bound;
+    EXPECT_TRUE(first.is_optimal) << first.result << ' ' << first.bound;
     const MeasuredSolution third = minimize_degree(graph, 3, {});
     EXPECT_LE(third.result, first.result);
     EXPECT_LE(third.bound, third.result);

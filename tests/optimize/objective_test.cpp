@@ -16,11 +16,13 @@ TEST(Objective, names_lead_back) {
     EXPECT_EQ(objective_from_name(name_of(objective)), objective);
   for (const Direction d : {Direction::minimize, Direction::maximize})
     for (const Aggregate a : {Aggregate::sum, Aggregate::max, Aggregate::min})
-      for (int m = 0; m <= int(Measure::wabn); ++m) {
-        const Objective objective(d, a, Measure(m));
+      for (int m = 0; m < int(TriangleMeasure::own) + int(EdgeMeasure::own); ++m) {
+        const Objective objective =
+            m < TriangleMeasure::own ? Objective(d, a, TriangleMeasure::Kind(m))
+                                     : Objective(d, a, EdgeMeasure::Kind(m - TriangleMeasure::own));
         EXPECT_EQ(objective_from_name(name_of(objective)), objective) << name_of(objective);
       }
-  EXPECT_EQ(name_of({Direction::maximize, Aggregate::min, Measure::small_angle}),
+  EXPECT_EQ(name_of({Direction::maximize, Aggregate::min, TriangleMeasure::small_angle}),
             "max-min-small-angle");
   EXPECT_EQ(method_from_name("flip"), Method::flip);
   EXPECT_EQ(method_from_name("exact"), Method::exact);

@@ -14,6 +14,7 @@
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 
+#include "hodt/base/error.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/optimize/measure/measures.h"
 #include "hodt/order/triangulation_order.h"
@@ -33,7 +34,7 @@ double heron(double a, double b, double c) {
   return std::sqrt(std::max(0.0, s * (s - a) * (s - b) * (s - c)));
 }
 
-double expected_value(Measure measure, Aggregate aggregate, const std::array<Point, 3>& p,
+double expected_value(TriangleMeasure measure, Aggregate aggregate, const std::array<Point, 3>& p,
                       bool flat) {
   std::array<double, 3> s = {side(p[0], p[1]), side(p[1], p[2]), side(p[2], p[0])};
   std::sort(s.begin(), s.end());
@@ -52,24 +53,24 @@ double expected_value(Measure measure, Aggregate aggregate, const std::array<Poi
                                     : 180 - degrees(std::asin(std::fabs(sine)));
   };
   const std::array<double, 3> angles = {angle(0), angle(1), angle(2)};
-  switch (measure) {
-    case Measure::area:
+  switch (measure.kind) {
+    case TriangleMeasure::area:
       return area;
-    case Measure::angle:
+    case TriangleMeasure::angle:
       return *std::max_element(angles.begin(), angles.end());
-    case Measure::small_angle:
+    case TriangleMeasure::small_angle:
       return *std::min_element(angles.begin(), angles.end());
-    case Measure::circumradius:
+    case TriangleMeasure::circumradius:
       return s[0] * s[1] * s[2] / (4 * area);
-    case Measure::enclosing_radius:
+    case TriangleMeasure::enclosing_radius:
       return s[0] * s[0] + s[1] * s[1] <= s[2] * s[2] ? s[2] / 2 : s[0] * s[1] * s[2] / (4 * area);
-    case Measure::inradius:
+    case TriangleMeasure::inradius:
       return 2 * area / (s[0] + s[1] + s[2]);
-    case Measure::length:
+    case TriangleMeasure::length:
       return aggregate == Aggregate::sum   ? (s[0] + s[1] + s[2]) / 2
              : aggregate == Aggregate::max ? s[2]
                                            : s[0];
-    case Measure::flat_area:
+    case TriangleMeasure::flat_area:
       return flat ? area : 0;
     default:
       break;  // of edges
@@ -77,20 +78,20 @@ double expected_value(Measure measure, Aggregate aggregate, const std::array<Poi
   return 0;
 }
 
-const std::vector<Measure> kMeasures = {Measure::area,
-                                        Measure::angle,
-                                        Measure::small_angle,
-                                        Measure::circumradius,
-                                        Measure::enclosing_radius,
-                                        Measure::inradius,
-                                        Measure::length,
-                                        Measure::flat_area};
+const std::vector<TriangleMeasure> kMeasures = {TriangleMeasure::area,
+                                                TriangleMeasure::angle,
+                                                TriangleMeasure::small_angle,
+                                                TriangleMeasure::circumradius,
+                                                TriangleMeasure::enclosing_radius,
+                                                TriangleMeasure::inradius,
+                                                TriangleMeasure::length,
+                                                TriangleMeasure::flat_area};
 
 std::vector<Objective> all_objectives() {
   std::vector<Objective> all;
   for (const Direction d : {Direction::minimize, Direction::maximize})
     for (const Aggregate a : {Aggregate::sum, Aggregate::max, Aggregate::min})
-      for (const Measure m : kMeasures) all.emplace_back(d, a, m);
+      for (const TriangleMeasure m : kMeasures) all.emplace_back(d, a, m);
   return all;
 }
 
@@ -98,13 +99,14 @@ std::vector<Objective> edge_objectives() {
   std::vector<Objective> all;
   for (const Direction d : {Direction::minimize, Direction::maximize})
     for (const Aggregate a : {Aggregate::sum, Aggregate::max, Aggregate::min})
-      for (const Measure m : {Measure::abn, Measure::jnd, Measure::wabn}) all.emplace_back(d, a, m);
+      for (const EdgeMeasure m : {EdgeMeasure::abn, EdgeMeasure::jnd, EdgeMeasure::wabn})
+        all.emplace_back(d, a, m);
   return all;
 }
 
 /// Across ab, by the planes' normals in space.
-double expected_across(Measure measure, std::span<const Point> p, std::span<const double> z, int a,
-                       int b, int c, int d) {
+double expected_across(EdgeMeasure measure, std::span<const Point> p, std::span<const double> z,
+                       int a, int b, int c, int d) {
   using Vector = std::array<double, 3>;
   const auto normal = [&](int i, int j, int k) {
     const Vector u{p[j].x - p[i].x, p[j].y - p[i].y, z[j] - z[i]};
@@ -116,7 +118,7 @@ double expected_across(Measure measure, std::span<const Point> p, std::span<cons
   };
   const Vector m = normal(a, b, c), n = normal(a, b, d);
   const double length = side(p[a], p[b]);
-  if (measure == Measure::jnd) {
+  if (measure.kind == EdgeMeasure::jnd) {
     // Slopes -n.x / n.z and -n.y / n.z, along the unit normal of ab.
     const double x = (p[b].y - p[a].y) / length, y = (p[a].x - p[b].x) / length;
     return std::fabs((m[0] / m[2] - n[0] / n[2]) * x + (m[1] / m[2] - n[1] / n[2]) * y);
@@ -124,7 +126,7 @@ double expected_across(Measure measure, std::span<const Point> p, std::span<cons
   double chord = 0;  // between the unit normals: 2 sin of half the angle
   for (int i = 0; i < 3; ++i) chord += (m[i] - n[i]) * (m[i] - n[i]);
   const double angle = 2 * std::asin(std::min(1.0, std::sqrt(chord) / 2)) * 180 / M_PI;
-  return measure == Measure::abn ? angle : length * angle;
+  return measure.kind == EdgeMeasure::abn ? angle : length * angle;
 }
 
 /// Rounding of thin triangles, as large as the formulas here make it.
@@ -140,8 +142,8 @@ TEST(TriangleValues, are_those_of_other_formulas) {
     const TriangleValues values(objective, p, z);
     for (Index i = 0; i + 2 < p.size(); ++i) {
       const bool flat = z[i] == z[i + 1] && z[i + 1] == z[i + 2];
-      const double expected =
-          expected_value(objective.measure, objective.aggregate, {p[i], p[i + 1], p[i + 2]}, flat);
+      const double expected = expected_value(std::get<TriangleMeasure>(objective.measure),
+                                             objective.aggregate, {p[i], p[i + 1], p[i + 2]}, flat);
       ASSERT_NEAR(values.of(VertexId(i), VertexId(i + 1), VertexId(i + 2)), expected,
                   tolerance(expected))
           << name_of(objective);
@@ -187,7 +189,8 @@ TEST_F(FlipValues, are_compared_as_values_are) {
   for_each_set([&](const Delaunay& d, const Flips& flips, const TriangleValues& values) {
     const TriangleMesh& mesh = d.mesh;
     std::vector<HalfEdgeId> kept = flips.all;
-    kept.resize(values.keep_better_flips(mesh, kept));
+    ExactSum missed;
+    kept.resize(values.keep_better_flips(mesh, kept, missed));
     EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
     for (const HalfEdgeId h : flips.all) {
       const VertexId a = mesh.origin(h), b = mesh.target(h);
@@ -223,7 +226,7 @@ TEST_F(FlipValues, add_up_to_that_of_the_flipped_mesh) {
       }
       return all;
     };
-    const auto [before, after] = values.with_flips(d.mesh, flips.apart);
+    const auto [before, after, bound] = values.with_flips(d.mesh, flips.apart);
     EXPECT_EQ(before, values.of(d.mesh));
     if (values.objective().aggregate != Aggregate::sum) {  // to the bit
       EXPECT_EQ(before, value(d.mesh)) << name_of(values.objective());
@@ -231,7 +234,7 @@ TEST_F(FlipValues, add_up_to_that_of_the_flipped_mesh) {
       return;
     }
     EXPECT_NEAR(after, values.of(flipped), 1e-12 * after) << name_of(values.objective());
-    if (values.objective().measure == Measure::length) return;  // hull edges count in full
+    if (is_total_length(values.objective())) return;  // hull edges count in full
     EXPECT_NEAR(before, value(d.mesh), 1e-12 * before) << name_of(values.objective());
   });
 }
@@ -286,17 +289,18 @@ class BruteForce {
                    : objective.aggregate == Aggregate::max ? -1e300
                                                            : 1e300;
     std::vector<oracle::Edge> edges;
-    if (is_of_edges(objective.measure)) return value_of_edges(objective, triangles, value);
+    if (is_of_edges(objective)) return value_of_edges(objective, triangles, value);
     for (const auto& [a, b, c] : triangles) {
-      const double v = expected_value(objective.measure, objective.aggregate,
-                                      {xy_[a], xy_[b], xy_[c]}, z_[a] == z_[b] && z_[b] == z_[c]);
+      const double v =
+          expected_value(std::get<TriangleMeasure>(objective.measure), objective.aggregate,
+                         {xy_[a], xy_[b], xy_[c]}, z_[a] == z_[b] && z_[b] == z_[c]);
       value = objective.aggregate == Aggregate::sum   ? value + v
               : objective.aggregate == Aggregate::max ? std::max(value, v)
                                                       : std::min(value, v);
       for (const auto& [u, w] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
         edges.push_back({std::min(u, w), std::max(u, w)});
     }
-    if (objective.measure == Measure::length && objective.aggregate == Aggregate::sum) {
+    if (is_total_length(objective)) {
       std::sort(edges.begin(), edges.end());
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
       value = 0;
@@ -315,7 +319,8 @@ class BruteForce {
       const auto other = apex.find({b, a});
       if (a > b || other == apex.end()) continue;
       any = true;
-      const double v = expected_across(objective.measure, xy_, z_, a, b, c, other->second);
+      const double v = expected_across(std::get<EdgeMeasure>(objective.measure), xy_, z_, a, b, c,
+                                       other->second);
       value = objective.aggregate == Aggregate::sum   ? value + v
               : objective.aggregate == Aggregate::max ? std::max(value, v)
                                                       : std::min(value, v);
@@ -366,16 +371,22 @@ TEST_P(MeasureFamilies, equal_all_triangulations) {
     const oracle::Catalogue catalogue(instance);
     const BruteForce brute_force(catalogue, d.vertices.xy, z);
     for (const Objective& objective : objectives) {
-      const bool is_always_solved = !is_of_edges(objective.measure);
+      const bool is_always_solved = !is_of_edges(objective);
       for (const Index k : {0u, 1u, 2u, 3u, 4u}) {
-        const MeasuredSolution solution =
-            optimize_measure({.graph = graph, .z = z, .order = k, .objective = objective});
+        MeasuredSolution solution;
+        try {
+          solution = optimize_measure({.graph = graph, .z = z, .order = k, .objective = objective});
+        } catch (const InputError& error) {
+          // No double holds some value.
+          ASSERT_TRUE(name == "wide_range" || name == "subnormal_lattice") << error.what();
+          continue;
+        }
         const TriangleMesh mesh = solution.change.applied_to(d.mesh);
         ASSERT_LE(order_histogram(graph, mesh).size(), k + 1) << name_of(objective);
         ASSERT_TRUE(std::isfinite(solution.result) && std::isfinite(solution.bound));
         if (!is_comparable) continue;
         // Rounding makes slivers on its hull, and their slopes are anything.
-        if (is_of_edges(objective.measure) && name == "hexagonal") continue;
+        if (is_of_edges(objective) && name == "hexagonal") continue;
         const double optimum = brute_force.optimum(objective, int(k));
         if (!(std::fabs(optimum) < 1e140)) continue;  // no area left
         const std::string what = name_of(objective) + " k = " + std::to_string(k) + ' ' +
@@ -385,15 +396,15 @@ TEST_P(MeasureFamilies, equal_all_triangulations) {
         const double sign = objective.direction == Direction::minimize ? 1 : -1;
         ASSERT_LE(sign * solution.bound, sign * optimum + tolerance(optimum)) << what;
         ASSERT_GE(sign * solution.result, sign * optimum - tolerance(optimum)) << what;
-        if (solution.is_optimal()) {
+        if (solution.is_optimal) {
           ASSERT_NEAR(solution.result, optimum, tolerance(optimum)) << what;
         }
         if (k <= 1) {
-          ASSERT_TRUE(solution.is_optimal()) << what;
+          ASSERT_TRUE(solution.is_optimal) << what;
         }
         if (!is_always_solved) continue;
-        if (!solution.is_optimal() && unsolved.size() < 300) unsolved += what + '\n';
-        solved += solution.is_optimal();
+        if (!solution.is_optimal && unsolved.size() < 300) unsolved += what + '\n';
+        solved += solution.is_optimal;
         ++asked;
       }
     }
@@ -418,7 +429,7 @@ TEST(OptimizeMeasure, larger_sets_are_solved) {
             optimize_measure({.graph = graph, .z = {}, .order = k, .objective = objective});
         const MeasuredSolution flips = optimize_measure(
             {.graph = graph, .z = {}, .order = k, .objective = objective, .method = Method::flip});
-        EXPECT_TRUE(best.is_optimal())
+        EXPECT_TRUE(best.is_optimal)
             << name << ' ' << k << ": " << best.result << ' ' << best.bound;
         const double sign = objective.direction == Direction::minimize ? 1 : -1;
         const double slack = 1e-9 * std::fabs(best.result);
@@ -447,7 +458,7 @@ TEST(OptimizeMeasure, measures_of_edges) {
         const MeasuredSolution best = optimize_measure(
             {.graph = graph, .z = d.vertices.z, .order = k, .objective = objective});
         if (k <= 1) {
-          EXPECT_TRUE(best.is_optimal())
+          EXPECT_TRUE(best.is_optimal)
               << name << ' ' << k << ' ' << best.result << ' ' << best.bound;
         }
         EXPECT_LE(best.result - best.bound, (k == 2 ? 0.02 : 0.06) * best.result)

@@ -12,6 +12,10 @@ namespace hodt {
 void ExactSum::add(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const int field = static_cast<int>(bits >> 52 & 0x7ff);
+  if (field == 0x7ff) {
+    not_finite_ += value;
+    return;
+  }
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   const std::uint64_t mantissa = field == 0 ? fraction : fraction | std::uint64_t{1} << 52;
   const int shift = std::max(field, 1) - 1;
@@ -104,14 +108,21 @@ void ExactSum::add(std::span<const double> values) {
 
 void ExactSum::add(const ExactSum& other) {
   for (std::size_t i = 0; i < kDigits; ++i) digit_[i] += other.digit_[i];
+  not_finite_ += other.not_finite_;
   terms_ += other.terms_ + 1;
   if (terms_ >= kMostTerms) carry();
 }
 
 void ExactSum::subtract(const ExactSum& other) {
   for (std::size_t i = 0; i < kDigits; ++i) digit_[i] -= other.digit_[i];
+  not_finite_ -= other.not_finite_;
   terms_ += other.terms_ + 1;
   if (terms_ >= kMostTerms) carry();
+}
+
+bool ExactSum::is_empty() const {
+  return not_finite_ == 0 &&
+         std::all_of(digit_.begin(), digit_.end(), [](auto d) { return d == 0; });
 }
 
 /// All digits but the highest one are in [0, 2^32) then.
@@ -139,6 +150,7 @@ struct ExactSum::Rounded {
 };
 
 ExactSum::Rounded ExactSum::rounded() const {
+  if (not_finite_ != 0) return {not_finite_, true, false, false};
   ExactSum sum = *this;
   sum.carry();
   const bool is_negative = sum.digit_[kDigits - 1] < 0;

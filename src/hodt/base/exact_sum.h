@@ -9,7 +9,8 @@
 namespace hodt {
 
 /// A sum of doubles, kept exactly and rounded only where it is read: it does not depend on the
-/// order of its terms, and what is rounded compares as the sums do. Every term must be finite.
+/// order of its terms, and what is rounded compares as the sums do. With a term that is infinite or
+/// undefined so is the sum.
 class ExactSum {
  public:
   void add(double value);
@@ -19,6 +20,8 @@ class ExactSum {
   void subtract(double value) { add(-value); }
   void subtract(const ExactSum& other);
 
+  /// Whether nothing was added but zeros; false also for a few other sums that are 0.
+  bool is_empty() const;
   /// The nearest double, of two the one with an even last bit; infinite out of a double's range.
   double nearest() const;
   /// The largest double that is no more, and the smallest that is no less.
@@ -37,7 +40,8 @@ class ExactSum {
   Rounded rounded() const;
 
   std::array<std::int64_t, kDigits> digit_{};
-  int terms_ = 0;  // since digits were last carried
+  double not_finite_ = 0;  // or infinite, or undefined
+  int terms_ = 0;          // since digits were last carried
 };
 
 }  // namespace hodt

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "hodt/base/exact_sum.h"
 #include "hodt/optimize/objective.h"
 
 namespace hodt {
@@ -51,6 +52,7 @@ class Combination {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return objective_.direction == Direction::minimize ? kInfinity : -kInfinity;
   }
+  bool is_sum() const { return objective_.aggregate == Aggregate::sum; }
   bool better(double x, double y) const {
     return objective_.direction == Direction::minimize ? x < y : x > y;
   }
@@ -75,6 +77,45 @@ class Combination {
 
  private:
   Objective objective_;
+};
+
+/// What many values combine to; of sums, without rounding.
+class Total {
+ public:
+  explicit Total(const Combination& combination)
+      : combination_(combination), extreme_(combination.neutral()) {}
+
+  void add(double value) {
+    if (combination_.is_sum())
+      sum_.add(value);
+    else
+      extreme_ = combination_.combine(extreme_, value);
+  }
+  void add(std::span<const double> values) {
+    if (combination_.is_sum())
+      sum_.add(values);
+    else
+      extreme_ = combination_.combine(extreme_, combination_.combine(values));
+  }
+  void add(const Total& other) {
+    sum_.add(other.sum_);
+    extreme_ = combination_.combine(extreme_, other.extreme_);
+  }
+
+  /// Rounded to the nearest double: better totals have better values, or equal ones.
+  double value() const { return combination_.is_sum() ? sum_.nearest() : extreme_; }
+  /// Rounded so that no total like this is better.
+  double bound() const {
+    if (!combination_.is_sum()) return extreme_;
+    return combination_.sign() > 0 ? sum_.down() : sum_.up();
+  }
+  /// Only of sums.
+  ExactSum& sum() { return sum_; }
+
+ private:
+  Combination combination_;
+  ExactSum sum_;
+  double extreme_;
 };
 
 }  // namespace hodt

@@ -36,17 +36,17 @@ constexpr std::array<Named<Aggregate>, 3> kAggregates = {{
 }};
 
 constexpr std::array<Named<Measure>, 11> kMeasures = {{
-    {"area", Measure::area},
-    {"angle", Measure::angle},
-    {"small-angle", Measure::small_angle},
-    {"circumradius", Measure::circumradius},
-    {"enclosing-radius", Measure::enclosing_radius},
-    {"inradius", Measure::inradius},
-    {"length", Measure::length},
-    {"flat-area", Measure::flat_area},
-    {"abn", Measure::abn},
-    {"jnd", Measure::jnd},
-    {"wabn", Measure::wabn},
+    {"area", TriangleMeasure(TriangleMeasure::area)},
+    {"angle", TriangleMeasure(TriangleMeasure::angle)},
+    {"small-angle", TriangleMeasure(TriangleMeasure::small_angle)},
+    {"circumradius", TriangleMeasure(TriangleMeasure::circumradius)},
+    {"enclosing-radius", TriangleMeasure(TriangleMeasure::enclosing_radius)},
+    {"inradius", TriangleMeasure(TriangleMeasure::inradius)},
+    {"length", TriangleMeasure(TriangleMeasure::length)},
+    {"flat-area", TriangleMeasure(TriangleMeasure::flat_area)},
+    {"abn", EdgeMeasure(EdgeMeasure::abn)},
+    {"jnd", EdgeMeasure(EdgeMeasure::jnd)},
+    {"wabn", EdgeMeasure(EdgeMeasure::wabn)},
 }};
 
 constexpr std::array<Named<Method>, 4> kMethods = {{
@@ -89,7 +89,15 @@ std::optional<Objective> measured_from_name(std::string_view name) {
   const auto aggregate = find_name(kAggregates, name.substr(first + 1, second - first - 1));
   const auto measure = find_name(kMeasures, name.substr(second + 1));
   if (!direction || !aggregate || !measure) return std::nullopt;
-  return Objective(*direction, *aggregate, *measure);
+  return std::visit([&](auto m) { return Objective(*direction, *aggregate, m); }, *measure);
+}
+
+std::string name_of(const Measure& measure) {
+  return std::visit(
+      [&](const auto& m) {
+        return m.own_measure ? m.own_measure->name : std::string(name_in(kMeasures, measure));
+      },
+      measure);
 }
 
 }  // namespace
@@ -123,8 +131,17 @@ std::string measure_names() {
 std::string name_of(Objective objective) {
   if (objective.kind != Objective::measured) return std::string(name_in(kKinds, objective.kind));
   return fmt::format("{}-{}-{}", name_in(kDirections, objective.direction),
-                     name_in(kAggregates, objective.aggregate),
-                     name_in(kMeasures, objective.measure));
+                     name_in(kAggregates, objective.aggregate), name_of(objective.measure));
+}
+
+bool needs_heights(Objective objective) {
+  if (objective.kind != Objective::measured) return counts_extrema(objective);
+  if (objective.measure == Measure(TriangleMeasure::flat_area)) return true;
+  return std::visit(
+      [&](const auto& m) {
+        return m.own_measure ? m.own_measure->needs_heights : is_of_edges(objective);
+      },
+      objective.measure);
 }
 
 void check_heights(Objective objective, bool has_heights) {

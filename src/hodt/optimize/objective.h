@@ -4,29 +4,59 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
+
+#include "hodt/optimize/own_measures.h"
 
 namespace hodt {
 
-/// What is measured of a triangle, or of two triangles across an edge. All planar (x, y) but for
-/// flat_area and those across edges; lengths and areas in units of the coordinates, angles in
-/// degrees. measures.h and edge_measures.h have the functions.
-enum class Measure : std::uint8_t {
-  area,
-  angle,        ///< the largest
-  small_angle,  ///< the smallest
-  circumradius,
-  enclosing_radius,  ///< of the smallest enclosing circle
-  inradius,
-  length,     ///< of edges: a sum counts every edge once
-  flat_area,  ///< the area, if all three heights are equal, else 0
-  abn,        ///< the angle between the normals across an inner edge
-  jnd,        ///< the jump of the normal derivative across an inner edge
-  wabn,       ///< the planar length of an inner edge times its abn
+/// What is measured of a triangle. All planar (x, y) but for flat_area and one's own; lengths and
+/// areas in units of the coordinates, angles in degrees. measures.h has the functions.
+struct TriangleMeasure {
+  enum Kind : std::uint8_t {
+    area,
+    angle,        ///< the largest
+    small_angle,  ///< the smallest
+    circumradius,
+    enclosing_radius,  ///< of the smallest enclosing circle
+    inradius,
+    length,     ///< of edges: a sum counts every edge once
+    flat_area,  ///< the area, if all three heights are equal, else 0
+    own,
+  };
+
+  constexpr TriangleMeasure(Kind k) : kind(k) {}  // NOLINT: a kind is a measure
+  /// A view: `measure` must outlive all objectives with it.
+  constexpr TriangleMeasure(const OwnTriangleMeasure& measure)  // NOLINT
+      : kind(own), own_measure(&measure) {}
+  TriangleMeasure(OwnTriangleMeasure&&) = delete;
+  friend bool operator==(const TriangleMeasure&, const TriangleMeasure&) = default;
+
+  Kind kind;
+  const OwnTriangleMeasure* own_measure = nullptr;
 };
 
-inline bool is_of_edges(Measure measure) {
-  return measure == Measure::abn || measure == Measure::jnd || measure == Measure::wabn;
-}
+/// What is measured of two triangles across an inner edge. edge_measures.h has the functions.
+struct EdgeMeasure {
+  enum Kind : std::uint8_t {
+    abn,   ///< the angle between the normals
+    jnd,   ///< the jump of the normal derivative
+    wabn,  ///< the planar length of the edge times its abn
+    own,
+  };
+
+  constexpr EdgeMeasure(Kind k) : kind(k) {}  // NOLINT: a kind is a measure
+  /// A view: `measure` must outlive all objectives with it.
+  constexpr EdgeMeasure(const OwnEdgeMeasure& measure)  // NOLINT
+      : kind(own), own_measure(&measure) {}
+  EdgeMeasure(OwnEdgeMeasure&&) = delete;
+  friend bool operator==(const EdgeMeasure&, const EdgeMeasure&) = default;
+
+  Kind kind;
+  const OwnEdgeMeasure* own_measure = nullptr;
+};
+
+using Measure = std::variant<TriangleMeasure, EdgeMeasure>;
 
 enum class Aggregate : std::uint8_t { sum, max, min };
 enum class Direction : std::uint8_t { minimize, maximize };
@@ -38,19 +68,32 @@ struct Objective {
     min_local_maxima,
     min_local_extrema,
     min_max_degree,  ///< of vertices
-    measured,        ///< the sum, largest or smallest value of a measure over all triangles
+    /// The sum, largest or smallest value of a measure over all triangles, or over all inner edges.
+    measured,
   };
 
   constexpr Objective(Kind k = none) : kind(k) {}  // NOLINT: a kind is an objective
-  constexpr Objective(Direction d, Aggregate a, Measure m)
+  constexpr Objective(Direction d, Aggregate a, TriangleMeasure m)
+      : kind(measured), direction(d), aggregate(a), measure(m) {}
+  constexpr Objective(Direction d, Aggregate a, EdgeMeasure m)
       : kind(measured), direction(d), aggregate(a), measure(m) {}
   friend bool operator==(const Objective&, const Objective&) = default;
 
   Kind kind;
   Direction direction = Direction::minimize;  // from here on: of kind measured
   Aggregate aggregate = Aggregate::sum;
-  Measure measure = Measure::area;
+  Measure measure = TriangleMeasure(TriangleMeasure::area);
 };
+
+/// Whether the objective's measure is of edges.
+inline bool is_of_edges(const Objective& objective) {
+  return std::holds_alternative<EdgeMeasure>(objective.measure);
+}
+/// Whether a sum of lengths counts every edge once, whatever triangles it is in.
+inline bool is_total_length(const Objective& objective) {
+  return objective.measure == Measure(TriangleMeasure::length) &&
+         objective.aggregate == Aggregate::sum;
+}
 
 enum class Method {
   automatic,  ///< the best there is, with limited work
@@ -82,10 +125,6 @@ void check_method(Method method, Objective objective);
 /// Throws ParameterError if the objective needs heights and there are none.
 void check_heights(Objective objective, bool has_heights);
 
-inline bool needs_heights(Objective objective) {
-  return counts_extrema(objective) ||
-         (objective.kind == Objective::measured &&
-          (objective.measure == Measure::flat_area || is_of_edges(objective.measure)));
-}
+bool needs_heights(Objective objective);
 
 }  // namespace hodt

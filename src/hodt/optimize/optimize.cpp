@@ -26,7 +26,7 @@ Optimum from(MeasuredSolution&& solution) {
           {.delaunay = solution.delaunay,
            .result = solution.result,
            .bound = solution.bound,
-           .optimal = solution.is_optimal()}};
+           .optimal = solution.is_optimal}};
 }
 
 }  // namespace

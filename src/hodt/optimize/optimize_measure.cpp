@@ -6,8 +6,8 @@
 namespace hodt {
 
 MeasuredSolution optimize_measure(const MeasureProblem& problem) {
-  return is_of_edges(problem.objective.measure) ? optimize_edge_measure(problem)
-                                                : optimize_triangle_measure(problem);
+  return is_of_edges(problem.objective) ? optimize_edge_measure(problem)
+                                        : optimize_triangle_measure(problem);
 }
 
 }  // namespace hodt

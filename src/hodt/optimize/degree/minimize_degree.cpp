@@ -113,7 +113,8 @@ MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
   return {.change = std::move(change),
           .delaunay = double(delaunay),
           .result = double(result),
-          .bound = double(bound)};
+          .bound = double(bound),
+          .is_optimal = result == bound};
 }
 
 }  // namespace hodt

@@ -37,6 +37,46 @@ struct Edge {
   std::span<Use> left, right;
 };
 
+/// As much less for all triangles of a face, so that none costs less than nothing, and back. (Any
+/// triangulation of it has as many.)
+class Shift {
+ public:
+  Shift(std::span<FaceTriangle> triangles, bool is_sum) : is_sum_(is_sum) {
+    if (!is_sum) lowest_ = std::numeric_limits<double>::infinity();
+    for (const FaceTriangle& t : triangles) {
+      if (t.value == kNever) continue;
+      lowest_ = std::min(lowest_, t.value);
+      most_ = std::max(most_, std::fabs(t.value));
+    }
+    if (!std::isfinite(lowest_)) lowest_ = 0;
+    for (FaceTriangle& t : triangles) {
+      const double value = std::max(t.value, lowest_);
+      t.value = value - lowest_;
+      if (!is_sum) shifted_.emplace_back(t.value, value);
+    }
+  }
+
+  /// What a bound on the shifted values is on the former ones.
+  double undone(double bound, std::size_t size) const {
+    if (!is_sum_) {
+      // That of a triangle no better than the bound: rounding leaves their order as it is.
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& [shifted, value] : shifted_)
+        if (shifted >= bound) least = std::min(least, value);
+      return least;
+    }
+    if (lowest_ == 0) return bound;
+    // Each value was rounded once.
+    const double difference = double(size) * lowest_;
+    return bound + difference - double(size + 2) * 0x1p-51 * (most_ + std::fabs(bound));
+  }
+
+ private:
+  const bool is_sum_;
+  double lowest_ = 0, most_ = 0;
+  std::vector<std::pair<double, double>> shifted_;
+};
+
 class Bound {
  public:
   Bound(const DelaunayGraph& graph, const EdgeValues& values, Index order, double at_hand,
@@ -74,7 +114,6 @@ class Bound {
   void charge_least(const Edge& edge);
   double best_pair() const;
   double solve(Aggregate aggregate, std::vector<FaceSolution>& solutions);
-  double make_positive(std::span<FaceTriangle> triangles, bool is_sum) const;
   bool is_delaunay(const Corners& t) const;
   void take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh);
 
@@ -121,13 +160,17 @@ void Bound::find_edges() {
 }
 
 /// Charges as much more as no pair exceeds its cost by: half of it to those on the left, then all
-/// that is left.
+/// that is left, but for what rounding can make of it.
 void Bound::share(const Edge& edge, std::vector<double>& room) const {
   const std::size_t width = edge.right.size();
   room.clear();
+  double most = 0;
   for (const Use& left : edge.left)
-    for (const Use& right : edge.right)
-      room.push_back(cost(edge, left, right) - left.charge - right.charge);
+    for (const Use& right : edge.right) {
+      const double c = cost(edge, left, right);
+      most = std::max({most, std::fabs(c), std::fabs(left.charge), std::fabs(right.charge)});
+      room.push_back(c - left.charge - right.charge);
+    }
   const auto charge_left = [&](double part) {
     for (std::size_t l = 0; l < edge.left.size(); ++l) {
       double* const row = &room[l * width];
@@ -147,6 +190,11 @@ void Bound::share(const Edge& edge, std::vector<double>& room) const {
   charge_left(0.5);
   charge_right();
   charge_left(1);
+  // No number on the way was larger than the largest before and after together, a few times over,
+  // and each rounding is 2^-53 of such a number at most.
+  for (const std::span<const Use> uses : {edge.left, edge.right})
+    for (const Use& use : uses) most = std::max(most, std::fabs(use.charge));
+  for (Use& use : edge.left) use.charge -= 0x1p-46 * most;
 }
 
 /// What the triangles can spare, from all their edges alike.
@@ -192,9 +240,11 @@ void Bound::charge_all() {
     for (std::size_t e = first; e < last; ++e) share(edges_[e], room);
   });
   for (FaceTriangle& t : faces_.triangles()) t.value = 0;
+  // A little less, so that the sum of three is less than that of the charges.
   for (const Edge& edge : edges_)
     for (const std::span<Use> uses : {edge.left, edge.right})
-      for (const Use& use : uses) faces_.triangles()[use.triangle].value += use.charge;
+      for (const Use& use : uses)
+        faces_.triangles()[use.triangle].value += use.charge - 0x1p-50 * std::fabs(use.charge);
 }
 
 /// With a triangle there is, at each of its edges, a pair at least as bad as the best one it can be
@@ -252,41 +302,30 @@ bool Bound::is_delaunay(const Corners& t) const {
 
 /// The least that the triangles' values can sum up to, or their largest can be.
 double Bound::solve(Aggregate aggregate, std::vector<FaceSolution>& solutions) {
-  const bool is_sum = aggregate == Aggregate::sum;
-  const Combination least(Objective(Direction::minimize, aggregate, objective_.measure));
+  Objective objective = objective_;
+  objective.direction = Direction::minimize;
+  objective.aggregate = aggregate;
+  const Combination least(objective);
+  std::vector<double> bounds(faces_.size());
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces_.size(), 1, [&](std::size_t first, std::size_t last) {
     for (auto face = static_cast<Index>(first); face < last; ++face) {
-      const double shift = make_positive(faces_.triangles(face), is_sum);
-      double at_hand = least.neutral();
+      const Shift shift(faces_.triangles(face), aggregate == Aggregate::sum);
+      Total at_hand(least);
       for (const FaceTriangle& t : faces_.triangles(face))
-        if (is_delaunay(t.corners)) at_hand = least.combine(at_hand, t.value);
+        if (is_delaunay(t.corners)) at_hand.add(t.value);
       const std::size_t size = faces_.places(face).size();
       if (size == 1)
-        solutions[face].bound = at_hand;
+        solutions[face].bound = at_hand.value();
       else
-        solutions[face] = faces_.solve(face, least, at_hand, deadline_, 1, polygons.mine(),
+        solutions[face] = faces_.solve(face, least, at_hand.value(), deadline_, 1, polygons.mine(),
                                        size > kSmall ? &programs_[face] : nullptr);
-      solutions[face].bound += is_sum ? double(size) * shift : shift;
+      bounds[face] = shift.undone(solutions[face].bound, size);
     }
   });
-  double bound = least.neutral(), size = 0;
-  for (const FaceSolution& solution : solutions) {
-    bound = least.combine(bound, solution.bound);
-    size += std::fabs(solution.bound);
-  }
-  return is_sum ? bound - 1e-12 * size : bound;  // far more than what rounding does
-}
-
-/// The same less for all triangles of a face, so that none costs less than nothing; returns how
-/// much. (Any triangulation of it has as many.)
-double Bound::make_positive(std::span<FaceTriangle> triangles, bool is_sum) const {
-  double lowest = is_sum ? 0 : std::numeric_limits<double>::infinity();
-  for (const FaceTriangle& t : triangles)
-    if (t.value != kNever) lowest = std::min(lowest, t.value);
-  if (!std::isfinite(lowest)) lowest = 0;
-  for (FaceTriangle& t : triangles) t.value = std::max(t.value, lowest) - lowest;
-  return lowest;
+  Total bound(least);
+  bound.add(bounds);
+  return bound.bound();
 }
 
 void Bound::take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -26,11 +25,10 @@ class Optimizer {
         values_(problem.objective, graph_.xy, problem.z) {}
 
   MeasuredSolution run() && {
-    choose_diagonals();
-    if (problem_.order > 1) improve_on_first_order();
-    // By sums that are rounded in another order.
-    if (values_.better(solution_.result, solution_.bound)) solution_.bound = solution_.result;
-    return std::move(solution_);
+    // A single triangle has no inner edge.
+    if (delaunay_.triangle_count() == 1) return measured(values_, {}, 0, 0, 0);
+    MeasuredSolution first_order = choose_diagonals();
+    return problem_.order > 1 ? improve(first_order) : std::move(first_order);
   }
 
  private:
@@ -47,7 +45,8 @@ class Optimizer {
   };
   /// What some edges cost, by the quadrilaterals on their sides.
   struct Costs {
-    double constant;  // of those without
+    explicit Costs(const Combination& combination) : constant(combination) {}
+    Total constant;  // of those without
     std::vector<Single> singles;
     std::vector<ChoicePair> pairs;
   };
@@ -55,17 +54,16 @@ class Optimizer {
   static constexpr Index kClosed = 0;
   static Index choice(Index quadrilateral) { return quadrilateral - 1; }
 
-  void choose_diagonals();
+  MeasuredSolution choose_diagonals();
   void find_quadrilaterals();
-  double add_costs(Choices& choices) const;
+  Total add_costs(Choices& choices) const;
   void add_diagonals(Choices& choices) const;
-  void improve_on_first_order();
+  MeasuredSolution improve(const MeasuredSolution& first_order);
 
   const MeasureProblem& problem_;
   const DelaunayGraph& graph_;
   const TriangleMesh& delaunay_;
   const EdgeValues values_;
-  MeasuredSolution solution_;
   Buffer<Gradient> gradients_;  // of the triangles
   // The first one stands for none.
   Buffer<Quadrilateral> quadrilaterals_;
@@ -158,8 +156,7 @@ void Optimizer::CostsOfEdges::measure() {
 
 void Optimizer::CostsOfEdges::measure_closed(std::span<const HalfEdgeId> edges) {
   gather(edges);
-  const double sum = o_.values_.combine({many_.measure(edges.size(), 0, 0), edges.size()});
-  costs_.constant = o_.values_.combine(costs_.constant, sum);
+  costs_.constant.add({many_.measure(edges.size(), 0, 0), edges.size()});
 }
 
 void Optimizer::CostsOfEdges::measure_singles(std::span<const HalfEdgeId> edges) {
@@ -183,16 +180,14 @@ void Optimizer::CostsOfEdges::measure_pairs(std::span<const HalfEdgeId> edges) {
 }
 
 /// Returns what the edges cost that depend on no choice.
-double Optimizer::add_costs(Choices& choices) const {
-  double constant = values_.neutral();
+Total Optimizer::add_costs(Choices& choices) const {
+  Total constant(values_);
   const auto find = [&](std::size_t first, std::size_t last, std::vector<Costs>& found) {
-    Costs& costs = found.emplace_back();
-    costs.constant = values_.neutral();
-    CostsOfEdges(*this, costs).add(first, last);
+    CostsOfEdges(*this, found.emplace_back(values_)).add(first, last);
   };
   const auto add = [&](const std::vector<Costs>& parts) {
     for (const Costs& costs : parts) {
-      constant = values_.combine(constant, costs.constant);
+      constant.add(costs.constant);
       for (const Single& single : costs.singles) choices.add(single.choice, single.costs);
       choices.add(costs.pairs);
     }
@@ -218,7 +213,7 @@ void Optimizer::add_diagonals(Choices& choices) const {
       const double* const now = many.measure(size, 0, 0);
       for (std::size_t i = 0; i < size; ++i) {
         const auto& [h, twin, flipped] = quadrilaterals_[begin + i];
-        many.set(i, delaunay_.apex(h), delaunay_.apex(twin), flipped, flipped);
+        many.set(i, delaunay_.apex(twin), delaunay_.apex(h), flipped, flipped);
       }
       const double* const flipped = many.measure(size, 0, 1);
       for (std::size_t i = 0; i < size; ++i) costs[begin + i] = {now[i], flipped[i]};
@@ -227,43 +222,45 @@ void Optimizer::add_diagonals(Choices& choices) const {
   for (Index q = 1; q < costs.size(); ++q) choices.add(choice(q), costs[q]);
 }
 
-void Optimizer::choose_diagonals() {
+MeasuredSolution Optimizer::choose_diagonals() {
   find_quadrilaterals();
   Choices choices(values_, static_cast<Index>(quadrilaterals_.size() - 1));
-  const double constant = add_costs(choices);
+  const Total constant = add_costs(choices);
   const Choices::Result best = choices.best(problem_.deadline);
   std::vector<HalfEdgeId> flips;
   for (Index q = 1; q < quadrilaterals_.size(); ++q)
     if (best.chosen[choice(q)]) flips.push_back(quadrilaterals_[q].diagonal);
-  solution_.change = MeshChange(std::move(flips));
-  const auto in_all = [&](double cost_of_choices) {
-    const double value = values_.combine(constant, cost_of_choices);
-    return std::isfinite(value) ? value : 0;  // no inner edge
+  const auto in_all = [&](Total total) {
+    total.add(constant);
+    return total;
   };
-  solution_.delaunay = in_all(choices.value(std::vector<bool>(best.chosen.size(), false)));
-  solution_.result = in_all(choices.value(best.chosen));
-  solution_.bound = in_all(best.bound);
+  const double before = in_all(choices.total(std::vector<bool>(best.chosen.size(), false))).value();
+  const double after = in_all(choices.total(best.chosen)).value();
+  const double bound = in_all(best.bound).bound();
+  // What rounding suggests may be no gain.
+  if (values_.better(before, after)) return measured(values_, {}, before, before, bound);
+  return measured(values_, MeshChange(std::move(flips)), before, after, bound);
 }
 
 /// By flips, from there and from what the bound suggests.
-void Optimizer::improve_on_first_order() {
+MeasuredSolution Optimizer::improve(const MeasuredSolution& first_order) {
   const auto improve = [&](TriangleMesh& mesh) {
     improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh);
     return values_.of(mesh);
   };
-  TriangleMesh mesh = solution_.change.applied_to(delaunay_);
-  solution_.result = improve(mesh);
-  EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, solution_.result,
+  TriangleMesh mesh = first_order.change.applied_to(delaunay_);
+  double result = improve(mesh);
+  EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, result,
                                             problem_.deadline, problem_.method == Method::exact);
-  solution_.bound = suggestion.bound;
   if (problem_.method != Method::flip) {
     const double other = improve(suggestion.mesh);
-    if (values_.better(other, solution_.result)) {
-      solution_.result = other;
+    if (values_.better(other, result)) {
+      result = other;
       mesh = std::move(suggestion.mesh);
     }
   }
-  solution_.change = MeshChange(std::move(mesh));
+  return measured(values_, MeshChange(std::move(mesh)), first_order.delaunay, result,
+                  suggestion.bound);
 }
 
 }  // namespace

@@ -115,7 +115,8 @@ bool better_values(const Combination& combination, FiveValues fresh, FiveValues 
     const double sum = std::accumulate(fresh.begin(), fresh.end(), 0.0);
     const double before = std::accumulate(old.begin(), old.end(), 0.0);
     // What rounding can have made of equal sums is no gain.
-    return combination.better(sum, before) && std::fabs(sum - before) > 1e-13 * (sum + before);
+    return combination.better(sum, before) &&
+           std::fabs(sum - before) > 1e-13 * sum + 1e-13 * before;
   }
   for (FiveValues* values : {&fresh, &old}) {
     std::sort(values->begin(), values->end());

@@ -26,16 +26,22 @@ HODT_INLINE double small_arctangent(double x) {
   return x + x * (z * (even + z * odd));
 }
 
-/// Such an angle. The same bits in loops that become vector code and elsewhere.
-HODT_INLINE double degrees(double sine, double cosine) {
+/// The acute angle of such a cotangent; d is the cotangent of its half. Half of what is above 45
+/// degrees is 22.5 to 45 degrees, and taken from 45.
+HODT_INLINE double acute_degrees(double d) {
   constexpr double kDegrees = 180 / std::numbers::pi;
-  // Of the acute angle; d is the cotangent of its half. Half of what is above 45 degrees is 22.5 to
-  // 45 degrees, and taken from 45.
-  const double cotangent = std::fabs(cosine) / sine;
-  const double d = std::sqrt(1 + cotangent * cotangent) + cotangent;
   const bool is_above_45 = d < 1 + std::numbers::sqrt2;
   const double x = (is_above_45 ? 1 - d : 1) / (is_above_45 ? 1 + d : d);
-  const double acute = (is_above_45 ? 90 : 0) + 2 * kDegrees * small_arctangent(x);
+  return (is_above_45 ? 90 : 0) + 2 * kDegrees * small_arctangent(x);
+}
+
+HODT_INLINE double cotangent_of_half(double cotangent) {
+  return std::sqrt(1 + cotangent * cotangent) + cotangent;
+}
+
+/// Such an angle. The same bits in loops that become vector code and elsewhere.
+HODT_INLINE double degrees(double sine, double cosine) {
+  const double acute = acute_degrees(cotangent_of_half(std::fabs(cosine) / sine));
   return cosine > 0 ? acute : 180 - acute;
 }
 
@@ -46,9 +52,13 @@ HODT_INLINE double angle_rank(double sine, double cosine) {
   return rank == rank ? rank : -std::numeric_limits<double>::infinity();
 }
 
-/// The angle that has the rank: degrees(sine, cosine), to the bit.
+/// The angle that has the rank: degrees(sine, cosine), to the bit, and however large the rank is.
 inline double degrees_of_rank(double rank) {
-  return degrees(1, -rank);
+  constexpr double kLarge = 0x1p30;  // the square of a larger one is itself and 1, rounded
+  const double cotangent = std::fabs(rank);
+  const double acute =
+      acute_degrees(cotangent > kLarge ? 2 * cotangent : cotangent_of_half(cotangent));
+  return rank < 0 ? acute : 180 - acute;
 }
 
 }  // namespace hodt

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
+#include "hodt/geometry/wide_real.h"
 #include "hodt/optimize/measure/angle.h"
-#include "hodt/optimize/measure/measures.h"
+#include "hodt/optimize/range.h"
 
 namespace hodt {
 
@@ -15,38 +19,103 @@ namespace {
 // What is measured across one edge, with the vector (x, y) along it, between planes with these
 // gradients. All is inlined into loops over many edges (see measures.cpp).
 
+HODT_INLINE double sqrt_of(double x) {
+  return std::sqrt(x);
+}
+HODT_INLINE double size_of(double x) {
+  return std::fabs(x);
+}
+HODT_INLINE double undefined_if_infinite(double x) {
+  return 0 * x;
+}
+WideReal sqrt_of(const WideReal& x) {
+  return sqrt(x);
+}
+WideReal size_of(const WideReal& x) {
+  return fabs(x);
+}
+WideReal undefined_if_infinite(const WideReal&) {
+  return 0;
+}
+
+using hodt::degrees;
+/// 0 degrees if both planes are the same.
+WideReal degrees(const WideReal& sine, const WideReal& cosine) {
+  if (sine == 0) return cosine > 0 ? 0 : 180;
+  const WideReal cotangent = cosine / sine;
+  // A smaller angle is its sine, rounded.
+  if (cotangent > 0x1p60) return 180 / std::numbers::pi / cotangent;
+  return degrees_of_rank(-cotangent.to_double());
+}
+
 using Gradient = EdgeValues::Gradient;
-using G = const Gradient&;
+
+/// The same for numbers of any size.
+struct WideGradient {
+  WideReal x, y;
+};
 
 /// Between the normals (-f, 1) and (-g, 1): their cross product is (g.y - f.y, f.x - g.x, f x g).
-constexpr auto angle_of_normals = [](double, double, G f, G g) HODT_INLINE_LAMBDA {
-  const double cross = f.x * g.y - f.y * g.x, u = g.y - f.y, v = f.x - g.x;
-  return degrees(std::sqrt(u * u + v * v + cross * cross), f.x * g.x + f.y * g.y + 1);
+constexpr auto angle_of_normals = [](auto, auto, const auto& f, const auto& g) HODT_INLINE_LAMBDA {
+  const auto cross = f.x * g.y - f.y * g.x, u = g.y - f.y, v = f.x - g.x;
+  const auto sine = sqrt_of(u * u + v * v + cross * cross);
+  // If the sine is infinite the angle is undefined, and not a right one.
+  return degrees(sine, f.x * g.x + f.y * g.y + 1) + undefined_if_infinite(sine);
 };
-constexpr auto weighted_angle = [](double x, double y, G f, G g) HODT_INLINE_LAMBDA {
-  return std::sqrt(x * x + y * y) * angle_of_normals(x, y, f, g);
-};
-constexpr auto jump = [](double x, double y, G f, G g) HODT_INLINE_LAMBDA {
-  return std::fabs((f.x - g.x) * y - (f.y - g.y) * x) / std::sqrt(x * x + y * y);
+constexpr auto weighted_angle =
+    [](auto x, auto y, const auto& f, const auto& g)
+        HODT_INLINE_LAMBDA { return sqrt_of(x * x + y * y) * angle_of_normals(x, y, f, g); };
+constexpr auto jump = [](auto x, auto y, const auto& f, const auto& g) HODT_INLINE_LAMBDA {
+  return size_of((f.x - g.x) * y - (f.y - g.y) * x) / sqrt_of(x * x + y * y);
 };
 
-/// Calls f with the function of the measure.
+/// Calls f with the function of a built-in measure.
 template <class F>
-void with_measure(Measure measure, const F& f) {
-  if (measure == Measure::abn) return f(angle_of_normals);
-  if (measure == Measure::wabn) return f(weighted_angle);
-  f(jump);
+void with_measure(EdgeMeasure measure, const F& f) {
+  switch (measure.kind) {
+    case EdgeMeasure::abn:
+      return f(angle_of_normals);
+    case EdgeMeasure::wabn:
+      return f(weighted_angle);
+    case EdgeMeasure::jnd:
+      return f(jump);
+    case EdgeMeasure::own:
+      break;  // one by one
+  }
 }
 
 }  // namespace
 
+EdgeValues::EdgeValues(const Objective& objective, std::span<const Point> xy,
+                       std::span<const double> z)
+    : Combination(objective),
+      measure_(std::get<EdgeMeasure>(objective.measure)),
+      is_wide_(!is_own() && !(is_plain(xy) && is_plain(z))),
+      xy_(xy),
+      z_(z) {}
+
 EdgeValues::Gradient EdgeValues::gradient(VertexId u, VertexId v, VertexId w) const {
+  if (is_own()) return {static_cast<double>(u ^ v ^ w), 0};
   // Sorted without branches.
   const Index a = std::min({u, v, w}), c = std::max({u, v, w}), b = u ^ v ^ w ^ a ^ c;
   const double bx = xy_[b].x - xy_[a].x, by = xy_[b].y - xy_[a].y, bz = z_[b] - z_[a];
   const double cx = xy_[c].x - xy_[a].x, cy = xy_[c].y - xy_[a].y, cz = z_[c] - z_[a];
   const double area = bx * cy - by * cx;
+  // Where rounding leaves no area, the exact one is not 0.
+  if (area == 0 || is_wide_) return exact_gradient(a, b, c);
   return {(bz * cy - by * cz) / area, (bx * cz - bz * cx) / area};
+}
+
+EdgeValues::Gradient EdgeValues::exact_gradient(Index a, Index b, Index c) const {
+  const auto of = [&](const auto& project) {
+    return exact_cross(project(a), project(b), project(c));
+  };
+  const WideReal area = of([&](Index v) { return xy_[v]; });
+  const WideReal x = of([&](Index v) { return Point{z_[v], xy_[v].y}; }) / area;
+  const WideReal y = of([&](Index v) { return Point{xy_[v].x, z_[v]}; }) / area;
+  for (const WideReal& g : {x, y})
+    if (!g.is_in_range()) throw_out_of_range(objective(), g.is_large(), {xy_[a], xy_[b], xy_[c]});
+  return {x.to_double(), y.to_double()};
 }
 
 Buffer<EdgeValues::Gradient> EdgeValues::gradients(const TriangleMesh& mesh) const {
@@ -61,35 +130,64 @@ Buffer<EdgeValues::Gradient> EdgeValues::gradients(const TriangleMesh& mesh) con
 }
 
 double EdgeValues::across(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
+  if (is_own()) return own_value(a, b, f, g);
+  if (is_wide_) return wide_value(a, b, f, g);
   double value = 0;
   const auto [x, y] = along(a, b);
-  with_measure(objective().measure,
-               [&, x = x, y = y](const auto& measure) { value = finite(measure(x, y, f, g)); });
-  return value;
+  with_measure(measure_, [&, x = x, y = y](const auto& measure) { value = measure(x, y, f, g); });
+  return is_finite(value) ? value : wide_value(a, b, f, g);
+}
+
+double EdgeValues::wide_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
+  const WideReal x = WideReal(xy_[b].x) - xy_[a].x, y = WideReal(xy_[b].y) - xy_[a].y;
+  WideReal value;
+  with_measure(measure_, [&](const auto& measure) {
+    value = measure(x, y, WideGradient{f.x, f.y}, WideGradient{g.x, g.y});
+  });
+  if (!value.is_in_range()) throw_out_of_range(objective(), value.is_large(), {xy_[a], xy_[b]});
+  return value.to_double();
+}
+
+double EdgeValues::own_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
+  const auto apex = [&](const Gradient& triangle) {
+    return VertexId(static_cast<Index>(triangle.x) ^ a ^ b);
+  };
+  VertexId left = apex(f), right = apex(g);
+  if (b < a) std::swap(a, b), std::swap(left, right);
+  const auto corner = [&](VertexId v) {
+    return Corner{xy_[v].x, xy_[v].y, z_.empty() ? 0 : z_[v]};
+  };
+  return checked_own_value(
+      measure_.own_measure->of(corner(a), corner(b), corner(left), corner(right)), objective(),
+      {xy_[a], xy_[b], xy_[left], xy_[right]});
 }
 
 const double* ManyEdges::measure(std::size_t size, int left, int right) {
   const GradientColumns &f = left_[left], &g = right_[right];
   Column& value = value_[left][right];
-  with_measure(values_.objective().measure, [&](const auto& measure) {
-    run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
-      for (std::size_t i = 0; i < size; ++i)
-        value[i] = finite(measure(x_[i], y_[i], {f.x[i], f.y[i]}, {g.x[i], g.y[i]}));
+  const bool is_one_by_one = values_.is_own() || values_.is_wide_;
+  if (!is_one_by_one)
+    with_measure(values_.measure_, [&](const auto& measure) {
+      run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
+        for (std::size_t i = 0; i < size; ++i) value[i] = measure(x_[i], y_[i], f.at(i), g.at(i));
+      });
     });
-  });
+  if (is_one_by_one || !are_finite({value.data(), size}))
+    for (std::size_t i = 0; i < size; ++i)
+      if (is_one_by_one || !is_finite(value[i])) value[i] = one(i, left, right);
   return value.data();
 }
 
 double EdgeValues::of(const TriangleMesh& mesh) const {
   const Buffer<Gradient> all = gradients(mesh);
-  double value = neutral();
+  Total total(*this);
   bool any = false;
   for_each_inner_edge(mesh, [&](HalfEdgeId h) {
-    value = combine(value, across(mesh.origin(h), mesh.target(h), all[TriangleMesh::triangle(h)],
-                                  all[TriangleMesh::triangle(mesh.twin(h))]));
+    total.add(across(mesh.origin(h), mesh.target(h), all[TriangleMesh::triangle(h)],
+                     all[TriangleMesh::triangle(mesh.twin(h))]));
     any = true;
   });
-  return any ? value : 0;
+  return any ? total.value() : 0;
 }
 
 }  // namespace hodt

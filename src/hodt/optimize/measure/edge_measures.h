@@ -1,5 +1,5 @@
 // What two triangles across an edge measure. A new measure is one more function here, and a name in
-// objective.
+// objective; one's own is an OwnEdgeMeasure.
 #pragma once
 
 #include <array>
@@ -13,23 +13,25 @@
 
 namespace hodt {
 
-/// Values of inner edges for an objective whose measure is_of_edges. A view: the points and heights
-/// must outlive it.
+/// Values of inner edges for an objective with an EdgeMeasure. A view: the points and heights must
+/// outlive it.
 class EdgeValues : public Combination {
  public:
-  EdgeValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z)
-      : Combination(objective), xy_(xy), z_(z) {}
+  EdgeValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z);
 
-  /// The gradient of the plane through three points: the same bits whatever corner comes first.
+  /// What a measure needs to know of a triangle: the gradient of the plane through its corners, the
+  /// same bits whatever corner comes first. For measures of one's own the corners: x is that number
+  /// which, with the other two corners, exclusive or makes the third one.
   struct Gradient {
     double x, y;
   };
+  /// Throws InputError if a double cannot hold it.
   Gradient gradient(VertexId a, VertexId b, VertexId c) const;
   /// Those of all triangles of a mesh.
   Buffer<Gradient> gradients(const TriangleMesh& mesh) const;
 
-  /// The value of the edge ab between triangles with these gradients; never negative, at most
-  /// 1e150. The same bits from either side.
+  /// The value of the edge ab between triangles with these gradients, f on its left; finite and
+  /// never negative. The same bits from either side. Throws InputError if a double cannot hold it.
   double across(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const;
   /// The same with the triangles abc, on the left, and bad.
   double of(VertexId a, VertexId b, VertexId c, VertexId d) const {
@@ -46,6 +48,14 @@ class EdgeValues : public Combination {
   Point along(VertexId a, VertexId b) const { return {xy_[b].x - xy_[a].x, xy_[b].y - xy_[a].y}; }
 
  private:
+  friend class ManyEdges;
+  bool is_own() const { return measure_.kind == EdgeMeasure::own; }
+  Gradient exact_gradient(Index a, Index b, Index c) const;
+  double own_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const;
+  double wide_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const;
+
+  EdgeMeasure measure_;
+  bool is_wide_;  // no double holds all squares and products of coordinates and heights
   std::span<const Point> xy_;
   std::span<const double> z_;
 };
@@ -63,6 +73,7 @@ class ManyEdges {
   /// Edge i, from a to b.
   void set(std::size_t i, VertexId a, VertexId b, const Gradients& left, const Gradients& right) {
     const auto [x, y] = values_.along(a, b);
+    ends_[i] = {a, b};
     x_[i] = x;
     y_[i] = y;
     for (int g = 0; g < 2; ++g) {
@@ -81,9 +92,15 @@ class ManyEdges {
       x[i] = g.x;
       y[i] = g.y;
     }
+    EdgeValues::Gradient at(std::size_t i) const { return {x[i], y[i]}; }
   };
 
+  double one(std::size_t i, int left, int right) const {
+    return values_.across(ends_[i][0], ends_[i][1], left_[left].at(i), right_[right].at(i));
+  }
+
   const EdgeValues& values_;
+  std::array<std::array<VertexId, 2>, kSize> ends_;
   Column x_, y_;
   std::array<GradientColumns, 2> left_, right_;
   std::array<std::array<Column, 2>, 2> value_;

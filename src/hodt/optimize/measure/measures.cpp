@@ -3,13 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
 #include <vector>
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
 #include "hodt/base/prefetch.h"
+#include "hodt/geometry/predicates.h"
+#include "hodt/geometry/wide_real.h"
 #include "hodt/mesh/boundary.h"
 #include "hodt/optimize/measure/angle.h"
+#include "hodt/optimize/range.h"
+#include "hodt/optimize/rounded_sum.h"
 
 namespace hodt {
 
@@ -17,13 +23,15 @@ namespace {
 
 // What is measured of one triangle: the same bits whatever corner comes first. All is inlined into
 // loops over many triangles, and these become vector code: selections in place of branches, and no
-// calls.
+// calls. With corners of WidePoints the same formulas hold for coordinates of any size.
 
-HODT_INLINE double smaller(double x, double y) {
+template <class R>
+HODT_INLINE R smaller(R x, R y) {
   return x < y ? x : y;
 }
 
-HODT_INLINE double larger(double x, double y) {
+template <class R>
+HODT_INLINE R larger(R x, R y) {
   return x > y ? x : y;
 }
 
@@ -46,98 +54,124 @@ HODT_INLINE double dot(const Point& a, const Point& b, const Point& c) {
   return (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
 }
 
-/// That of the largest angle, as `cross` is the same at all corners.
-HODT_INLINE double smallest_dot(const Point& a, const Point& b, const Point& c) {
-  return smaller(dot(a, b, c), smaller(dot(b, c, a), dot(c, a, b)));
+/// A corner whose differences, squares and products no double need hold.
+struct WidePoint {
+  Point at;
+};
+
+WideReal distance(const WidePoint& a, const WidePoint& b) {
+  const WideReal x = WideReal(b.at.x) - a.at.x, y = WideReal(b.at.y) - a.at.y;
+  return sqrt(x * x + y * y);
 }
 
-HODT_INLINE double largest_dot(const Point& a, const Point& b, const Point& c) {
-  return larger(dot(a, b, c), larger(dot(b, c, a), dot(c, a, b)));
+/// Exact but for the last place: never 0.
+WideReal cross(const WidePoint& a, const WidePoint& b, const WidePoint& c) {
+  return fabs(exact_cross(a.at, b.at, c.at));
 }
+
+WideReal dot(const WidePoint& a, const WidePoint& b, const WidePoint& c) {
+  const auto difference = [](double p, double q) { return WideReal(q) - p; };
+  return difference(a.at.x, b.at.x) * difference(a.at.x, c.at.x) +
+         difference(a.at.y, b.at.y) * difference(a.at.y, c.at.y);
+}
+
+using hodt::angle_rank;
+WideReal angle_rank(const WideReal& sine, const WideReal& cosine) {
+  return -cosine / sine;
+}
+
+/// That of the largest angle, as `cross` is the same at all corners.
+constexpr auto smallest_dot = [](const auto& a, const auto& b, const auto& c) HODT_INLINE_LAMBDA {
+  return smaller(dot(a, b, c), smaller(dot(b, c, a), dot(c, a, b)));
+};
+
+constexpr auto largest_dot = [](const auto& a, const auto& b, const auto& c) HODT_INLINE_LAMBDA {
+  return larger(dot(a, b, c), larger(dot(b, c, a), dot(c, a, b)));
+};
 
 /// Of the edges.
+template <class R>
 struct Lengths {
-  double shortest, middle, longest;
-
-  HODT_INLINE Lengths(const Point& a, const Point& b, const Point& c) {
-    const double x = distance(a, b), y = distance(b, c), z = distance(c, a);
-    const double low = smaller(x, y), high = larger(x, y);
-    shortest = smaller(low, z);
-    middle = larger(low, smaller(high, z));
-    longest = larger(high, z);
-  }
-  HODT_INLINE double perimeter() const { return longest + (middle + shortest); }
+  R shortest, middle, longest;
+  HODT_INLINE R perimeter() const { return longest + (middle + shortest); }
 };
 
-using P = const Point&;
+template <class P>
+HODT_INLINE auto lengths_of(const P& a, const P& b, const P& c) {
+  const auto x = distance(a, b), y = distance(b, c), z = distance(c, a);
+  const auto low = smaller(x, y), high = larger(x, y);
+  return Lengths<decltype(distance(a, b))>{smaller(low, z), larger(low, smaller(high, z)),
+                                           larger(high, z)};
+}
 
-constexpr auto area = [](P a, P b, P c) HODT_INLINE_LAMBDA { return cross(a, b, c) / 2; };
+constexpr auto area = [](const auto& a, const auto& b, const auto& c)
+                          HODT_INLINE_LAMBDA { return cross(a, b, c) / 2; };
 
-constexpr auto largest_angle = [](P a, P b, P c) HODT_INLINE_LAMBDA {
+constexpr auto largest_angle = [](const auto& a, const auto& b, const auto& c) HODT_INLINE_LAMBDA {
   return degrees(cross(a, b, c), smallest_dot(a, b, c));
 };
-constexpr auto smallest_angle = [](P a, P b, P c) HODT_INLINE_LAMBDA {
+constexpr auto smallest_angle = [](const auto& a, const auto& b, const auto& c) HODT_INLINE_LAMBDA {
   return degrees(cross(a, b, c), largest_dot(a, b, c));
 };
 /// These grow with the angles, and take a tenth of the time.
-constexpr auto largest_angle_rank = [](P a, P b, P c) HODT_INLINE_LAMBDA {
-  return angle_rank(cross(a, b, c), smallest_dot(a, b, c));
-};
-constexpr auto smallest_angle_rank = [](P a, P b, P c) HODT_INLINE_LAMBDA {
-  return angle_rank(cross(a, b, c), largest_dot(a, b, c));
-};
+constexpr auto largest_angle_rank =
+    [](const auto& a, const auto& b, const auto& c)
+        HODT_INLINE_LAMBDA { return angle_rank(cross(a, b, c), smallest_dot(a, b, c)); };
+constexpr auto smallest_angle_rank =
+    [](const auto& a, const auto& b, const auto& c)
+        HODT_INLINE_LAMBDA { return angle_rank(cross(a, b, c), largest_dot(a, b, c)); };
 
-constexpr auto longest_edge = [](P a, P b, P c)
-                                  HODT_INLINE_LAMBDA { return Lengths(a, b, c).longest; };
-constexpr auto shortest_edge = [](P a, P b, P c)
-                                   HODT_INLINE_LAMBDA { return Lengths(a, b, c).shortest; };
+constexpr auto longest_edge = [](const auto& a, const auto& b, const auto& c)
+                                  HODT_INLINE_LAMBDA { return lengths_of(a, b, c).longest; };
+constexpr auto shortest_edge = [](const auto& a, const auto& b, const auto& c)
+                                   HODT_INLINE_LAMBDA { return lengths_of(a, b, c).shortest; };
 /// The edges count half: each but those of the hull is in two triangles.
-constexpr auto half_perimeter = [](P a, P b, P c)
-                                    HODT_INLINE_LAMBDA { return Lengths(a, b, c).perimeter() / 2; };
+constexpr auto half_perimeter = [](const auto& a, const auto& b, const auto& c) HODT_INLINE_LAMBDA {
+  return lengths_of(a, b, c).perimeter() / 2;
+};
 
-constexpr auto circumradius = [](P a, P b, P c) HODT_INLINE_LAMBDA {
-  const Lengths lengths(a, b, c);
+constexpr auto circumradius = [](const auto& a, const auto& b, const auto& c) HODT_INLINE_LAMBDA {
+  const auto lengths = lengths_of(a, b, c);
   return lengths.shortest * lengths.middle * lengths.longest / (2 * cross(a, b, c));
 };
-constexpr auto enclosing_radius = [](P a, P b, P c) HODT_INLINE_LAMBDA {
-  const double if_obtuse = longest_edge(a, b, c) / 2, if_acute = circumradius(a, b, c);
+constexpr auto enclosing_radius = [](const auto& a, const auto& b,
+                                     const auto& c) HODT_INLINE_LAMBDA {
+  const auto if_obtuse = longest_edge(a, b, c) / 2, if_acute = circumradius(a, b, c);
   return smallest_dot(a, b, c) <= 0 ? if_obtuse : if_acute;
 };
-constexpr auto inradius = [](P a, P b, P c) HODT_INLINE_LAMBDA {
-  return cross(a, b, c) / Lengths(a, b, c).perimeter();
+constexpr auto inradius = [](const auto& a, const auto& b, const auto& c) HODT_INLINE_LAMBDA {
+  return cross(a, b, c) / lengths_of(a, b, c).perimeter();
 };
 
 /// Calls f with the function of the objective's measure, or for angles of their ranks. Flat areas
 /// as if all triangles were flat.
 template <bool ranks, class F>
-void with_measure(const Objective& objective, const F& f) {
-  switch (objective.measure) {
-    case Measure::area:
-    case Measure::flat_area:
+void with_measure(TriangleMeasure measure, Aggregate aggregate, const F& f) {
+  switch (measure.kind) {
+    case TriangleMeasure::area:
+    case TriangleMeasure::flat_area:
       return f(area);
-    case Measure::angle:
+    case TriangleMeasure::angle:
       if constexpr (ranks)
         return f(largest_angle_rank);
       else
         return f(largest_angle);
-    case Measure::small_angle:
+    case TriangleMeasure::small_angle:
       if constexpr (ranks)
         return f(smallest_angle_rank);
       else
         return f(smallest_angle);
-    case Measure::circumradius:
+    case TriangleMeasure::circumradius:
       return f(circumradius);
-    case Measure::enclosing_radius:
+    case TriangleMeasure::enclosing_radius:
       return f(enclosing_radius);
-    case Measure::inradius:
+    case TriangleMeasure::inradius:
       return f(inradius);
-    case Measure::length:
-      if (objective.aggregate == Aggregate::sum) return f(half_perimeter);
-      return objective.aggregate == Aggregate::max ? f(longest_edge) : f(shortest_edge);
-    case Measure::abn:
-    case Measure::jnd:
-    case Measure::wabn:
-      return;  // of edges
+    case TriangleMeasure::length:
+      if (aggregate == Aggregate::sum) return f(half_perimeter);
+      return aggregate == Aggregate::max ? f(longest_edge) : f(shortest_edge);
+    case TriangleMeasure::own:
+      break;  // one by one
   }
 }
 
@@ -145,9 +179,10 @@ void with_measure(const Objective& objective, const F& f) {
 template <Aggregate kAggregate>
 HODT_INLINE bool is_better_pair(double sign, double a1, double a2, double b1, double b2) {
   if constexpr (kAggregate == Aggregate::sum) {
-    // What rounding can have made of equal sums is no gain.
-    const double size = std::fabs(a1) + std::fabs(a2) + std::fabs(b1) + std::fabs(b2);
-    return sign * ((b1 + b2) - (a1 + a2)) > 1e-14 * size;
+    // What rounding can have made of equal sums is no gain. No value is negative, and half of each
+    // sum is finite.
+    const double a = a1 / 2 + a2 / 2, b = b1 / 2 + b2 / 2;
+    return sign * (b - a) > 1e-14 * a + 1e-14 * b;
   } else {
     constexpr bool kMax = kAggregate == Aggregate::max;
     const double low_a = sign * smaller(a1, a2), high_a = sign * larger(a1, a2);
@@ -156,6 +191,14 @@ HODT_INLINE bool is_better_pair(double sign, double a1, double a2, double b1, do
     const double second_a = kMax ? low_a : high_a, second_b = kMax ? low_b : high_b;
     return (first_a < first_b) | ((first_a == first_b) & (second_a < second_b));
   }
+}
+
+/// What the first pair gains by sums, rounded up; 0 if that is nothing.
+HODT_INLINE double gain_of_pair(double sign, double a1, double a2, double b1, double b2) {
+  const double a = a1 + a2, b = b1 + b2;
+  const double rest = lost_in_sum(b1, b2, b) - lost_in_sum(a1, a2, a);
+  const double gain = sign * ((b - a) + rest);
+  return larger(gain + 0x1p-50 * (std::fabs(gain) + std::fabs(rest)), 0.0);
 }
 
 /// Calls f with the comparison that the objective makes.
@@ -194,7 +237,7 @@ class Block {
                double* values) const {
     run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
       for (std::size_t i = 0; i < size; ++i)
-        values[i] = finite(measure(corner(a, i), corner(b, i), corner(c, i)));
+        values[i] = measure(corner(a, i), corner(b, i), corner(c, i));
     });
   }
 
@@ -206,14 +249,99 @@ class Block {
 
 constexpr std::size_t kBlock = Block<3>::kSize;
 
+bool is_angle(TriangleMeasure measure) {
+  return measure.kind == TriangleMeasure::angle || measure.kind == TriangleMeasure::small_angle;
+}
+
+using PairColumns = std::array<const double*, 2>;
+
+/// What the pairs that are not said to be better gain in spite of that.
+void add_missed(double sign, std::size_t size, PairColumns fresh, PairColumns old,
+                const std::array<bool, kBlock>& is_better, ExactSum& missed) {
+  std::array<double, kBlock> gain;
+  double any = 0;
+  run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
+    for (std::size_t i = 0; i < size; ++i)
+      gain[i] =
+          is_better[i] ? 0 : gain_of_pair(sign, fresh[0][i], fresh[1][i], old[0][i], old[1][i]);
+  });
+  for (std::size_t i = 0; i < size; ++i) any = larger(any, gain[i]);
+  if (any > 0) missed.add({gain.data(), size});
+}
+
 }  // namespace
 
+TriangleValues::TriangleValues(const Objective& objective, std::span<const Point> xy,
+                               std::span<const double> z)
+    : Combination(objective),
+      measure_(std::get<TriangleMeasure>(objective.measure)),
+      is_wide_(measure_.kind != TriangleMeasure::own && !is_plain(xy)),
+      is_one_by_one_(is_wide_ || measure_.kind == TriangleMeasure::own ||
+                     measure_.kind == TriangleMeasure::flat_area),
+      xy_(xy),
+      z_(z) {}
+
 double TriangleValues::of(VertexId a, VertexId b, VertexId c) const {
-  if (is_flat_area_ && !(z_[a] == z_[b] && z_[b] == z_[c])) return 0;
+  if (measure_.kind == TriangleMeasure::own) return own_value(a, b, c);
+  if (measure_.kind == TriangleMeasure::flat_area && !(z_[a] == z_[b] && z_[b] == z_[c])) return 0;
+  if (is_wide_) return wide_value(a, b, c);
   double value = 0;
-  with_measure<false>(
-      objective(), [&](const auto& measure) { value = finite(measure(xy_[a], xy_[b], xy_[c])); });
-  return value;
+  with_measure<false>(measure_, objective().aggregate,
+                      [&](const auto& measure) { value = measure(xy_[a], xy_[b], xy_[c]); });
+  // Where rounding leaves no area.
+  return is_finite(value) ? value : wide_value(a, b, c);
+}
+
+/// Flips are measured before it is asked whether they can be made. What some would make is no
+/// triangle.
+bool TriangleValues::is_triangle(VertexId a, VertexId b, VertexId c) const {
+  return orient(xy_[a], xy_[b], xy_[c]) != 0;
+}
+
+/// The worst value there is, so that such a flip is no gain.
+double TriangleValues::of_none() const {
+  return sign() > 0 ? std::numeric_limits<double>::max() : 0;
+}
+
+/// Of numbers of any size, rounded once.
+double TriangleValues::wide_value(VertexId a, VertexId b, VertexId c) const {
+  if (!is_triangle(a, b, c)) return of_none();
+  if (is_angle(measure_)) return degrees_of_rank(wide_rank(a, b, c));
+  WideReal value;
+  with_measure<true>(measure_, objective().aggregate, [&](const auto& measure) {
+    value = measure(WidePoint{xy_[a]}, WidePoint{xy_[b]}, WidePoint{xy_[c]});
+  });
+  if (!value.is_in_range()) throw_out_of_range(a, b, c, value.is_large());
+  return value.to_double();
+}
+
+double TriangleValues::wide_rank(VertexId a, VertexId b, VertexId c) const {
+  if (!is_triangle(a, b, c)) return worst();
+  WideReal rank;
+  with_measure<true>(measure_, objective().aggregate, [&](const auto& measure) {
+    rank = measure(WidePoint{xy_[a]}, WidePoint{xy_[b]}, WidePoint{xy_[c]});
+  });
+  const double rounded = rank.to_double();
+  if (rounded == -std::numeric_limits<double>::infinity()) throw_out_of_range(a, b, c, false);
+  return rounded;
+}
+
+double TriangleValues::own_value(VertexId a, VertexId b, VertexId c) const {
+  if (orient(xy_[a], xy_[b], xy_[c]) <= 0) return of_none();  // nor is a clockwise one
+  const auto corner = [&](VertexId v) {
+    return Corner{xy_[v].x, xy_[v].y, z_.empty() ? 0 : z_[v]};
+  };
+  // The smallest number comes first, so that the order is that of the triangle.
+  if (b < a && b < c)
+    std::tie(a, b, c) = std::tuple(b, c, a);
+  else if (c < a && c < b)
+    std::tie(a, b, c) = std::tuple(c, a, b);
+  return checked_own_value(measure_.own_measure->of(corner(a), corner(b), corner(c)), objective(),
+                           {xy_[a], xy_[b], xy_[c]});
+}
+
+void TriangleValues::throw_out_of_range(VertexId a, VertexId b, VertexId c, bool is_large) const {
+  hodt::throw_out_of_range(objective(), is_large, {xy_[a], xy_[b], xy_[c]});
 }
 
 bool TriangleValues::better_pair(double a1, double a2, double b1, double b2) const {
@@ -234,16 +362,23 @@ void TriangleValues::better_pairs(std::size_t count, const double* a1, const dou
 /// Calls f with the function that ranks.
 template <class F>
 void TriangleValues::with_rank(const F& f) const {
-  if (objective().aggregate == Aggregate::sum)
-    with_measure<false>(objective(), f);
+  if (is_sum())
+    with_measure<false>(measure_, objective().aggregate, f);
   else
-    with_measure<true>(objective(), f);
+    with_measure<true>(measure_, objective().aggregate, f);
+}
+
+/// By other numbers than the angles.
+bool TriangleValues::compares_angles() const {
+  return is_angle(measure_) && !is_sum();
 }
 
 double TriangleValues::value(double rank) const {
-  const Objective o = objective();
-  const bool is_angle = o.measure == Measure::angle || o.measure == Measure::small_angle;
-  return is_angle && o.aggregate != Aggregate::sum ? degrees_of_rank(rank) : rank;
+  return compares_angles() ? degrees_of_rank(rank) : rank;
+}
+
+double TriangleValues::rank(VertexId a, VertexId b, VertexId c) const {
+  return compares_angles() ? wide_rank(a, b, c) : of(a, b, c);
 }
 
 /// Those of triangles, or of the triangles at edges, a block at a time.
@@ -254,38 +389,33 @@ class TriangleValues::Ranks {
   /// Of the triangles from `first` on.
   const double* of_triangles(std::size_t first, std::size_t size) {
     const std::span<const Point> xy = values_.xy_;
-    if (values_.is_flat_area_) {
+    const auto corners = [&](std::size_t i) { return mesh_.corners(TriangleId(Index(first + i))); };
+    if (!values_.is_one_by_one_) {
+      // The points come from somewhere near in memory: asked for in time.
+      const Index* const corner = &mesh_.origins()[3 * first];
+      const std::size_t known = mesh_.halfedge_count() - 3 * first;
+      constexpr std::size_t kAhead = 3 * 64;
       for (std::size_t i = 0; i < size; ++i) {
-        const auto [a, b, c] = mesh_.corners(TriangleId(Index(first + i)));
-        now_[0][i] = values_.of(a, b, c);
+        for (std::size_t e = 0; e < 3; ++e)
+          prefetch(&xy[corner[std::min(3 * i + e + kAhead, known - 1)]]);
+        triangles_.set(i, {xy[corner[3 * i]], xy[corner[3 * i + 1]], xy[corner[3 * i + 2]]});
       }
-      return now_[0].data();
     }
-    // The points come from somewhere near in memory: asked for in time.
-    const Index* const corner = &mesh_.origins()[3 * first];
-    const std::size_t known = mesh_.halfedge_count() - 3 * first;
-    constexpr std::size_t kAhead = 3 * 64;
-    for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t e = 0; e < 3; ++e)
-        prefetch(&xy[corner[std::min(3 * i + e + kAhead, known - 1)]]);
-      triangles_.set(i, {xy[corner[3 * i]], xy[corner[3 * i + 1]], xy[corner[3 * i + 2]]});
-    }
-    values_.with_rank(
-        [&](const auto& measure) { triangles_.measure(measure, size, 0, 1, 2, now_[0].data()); });
+    rank(triangles_, size, {0, 1, 2}, corners, now_[0]);
     return now_[0].data();
   }
 
   /// Takes up the two triangles at each edge, and the two that its flip makes.
   void at_edges(std::span<const HalfEdgeId> edges) {
     gather(edges);
-    measure(edges.size(), 0, 1, 2, now_[0]);
-    measure(edges.size(), 1, 0, 3, now_[1]);
-    measure_flipped(edges.size());
+    rank_corners(edges.size(), {0, 1, 2}, now_[0]);
+    rank_corners(edges.size(), {1, 0, 3}, now_[1]);
+    rank_flipped(edges.size());
   }
   /// Only the latter.
   void of_flips(std::span<const HalfEdgeId> edges) {
     gather(edges);
-    measure_flipped(edges.size());
+    rank_flipped(edges.size());
   }
   const double* now(int side) const { return now_[side].data(); }
   const double* flipped(int side) const { return flipped_[side].data(); }
@@ -310,20 +440,35 @@ class TriangleValues::Ranks {
       quadrilaterals_.set(i, {values_.xy_[a], values_.xy_[b], values_.xy_[c], values_.xy_[d]});
     }
   }
-  void measure_flipped(std::size_t size) {
-    measure(size, 0, 3, 2, flipped_[0]);
-    measure(size, 1, 2, 3, flipped_[1]);
+  void rank_flipped(std::size_t size) {
+    rank_corners(size, {0, 3, 2}, flipped_[0]);
+    rank_corners(size, {1, 2, 3}, flipped_[1]);
   }
   /// The triangle of these corners of each quadrilateral.
-  void measure(std::size_t size, int a, int b, int c, Column& ranks) const {
-    if (values_.is_flat_area_) {
-      for (std::size_t i = 0; i < size; ++i)
-        ranks[i] = values_.of(corner_[i][a], corner_[i][b], corner_[i][c]);
-      return;
+  void rank_corners(std::size_t size, std::array<int, 3> at, Column& ranks) const {
+    rank(
+        quadrilaterals_, size, at,
+        [&](std::size_t i) {
+          return std::array{corner_[i][at[0]], corner_[i][at[1]], corner_[i][at[2]]};
+        },
+        ranks);
+  }
+  /// `corners(i)` are the vertices `at` which the block has its corners.
+  template <class Block, class Corners>
+  void rank(const Block& block, std::size_t size, std::array<int, 3> at, const Corners& corners,
+            Column& ranks) const {
+    if (!values_.is_one_by_one_) {
+      values_.with_rank([&](const auto& measure) {
+        block.measure(measure, size, at[0], at[1], at[2], ranks.data());
+      });
+      // Infinite ranks are those of angles without area.
+      if (values_.compares_angles() || are_finite({ranks.data(), size})) return;
     }
-    values_.with_rank([&](const auto& measure) {
-      quadrilaterals_.measure(measure, size, a, b, c, ranks.data());
-    });
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!values_.is_one_by_one_ && is_finite(ranks[i])) continue;
+      const auto [a, b, c] = corners(i);
+      ranks[i] = values_.rank(a, b, c);
+    }
   }
 
   const TriangleValues& values_;
@@ -334,8 +479,8 @@ class TriangleValues::Ranks {
   std::array<Column, 2> now_, flipped_;
 };
 
-std::size_t TriangleValues::keep_better_flips(const TriangleMesh& mesh,
-                                              std::span<HalfEdgeId> edges) const {
+std::size_t TriangleValues::keep_better_flips(const TriangleMesh& mesh, std::span<HalfEdgeId> edges,
+                                              ExactSum& missed) const {
   Ranks ranks(*this, mesh);
   std::array<bool, kBlock> is_better;
   std::size_t kept = 0;
@@ -344,6 +489,9 @@ std::size_t TriangleValues::keep_better_flips(const TriangleMesh& mesh,
     ranks.at_edges(part);
     better_pairs(part.size(), ranks.flipped(0), ranks.flipped(1), ranks.now(0), ranks.now(1),
                  is_better.data());
+    if (is_sum())
+      add_missed(sign(), part.size(), {ranks.flipped(0), ranks.flipped(1)},
+                 {ranks.now(0), ranks.now(1)}, is_better, missed);
     for (std::size_t i = 0; i < part.size(); ++i) {
       edges[kept] = part[i];
       kept += std::size_t{is_better[i]};
@@ -352,77 +500,103 @@ std::size_t TriangleValues::keep_better_flips(const TriangleMesh& mesh,
   return kept;
 }
 
-/// What a run of triangles combines to, and without those that are flipped.
-TriangleValues::BeforeAfter TriangleValues::fold(const TriangleMesh& mesh, std::size_t first,
-                                                 std::size_t last,
-                                                 const Buffer<bool>& flipped) const {
+struct TriangleValues::Totals {
+  explicit Totals(const Combination& combination) : before(combination), after(combination) {}
+
+  Total before, after;
+  ExactSum replaced;  // for sums: the difference of what flips make to this is what changes
+};
+
+/// What a run of triangles combines to, and for largest and smallest values, without those that are
+/// flipped.
+TriangleValues::Totals TriangleValues::fold(const TriangleMesh& mesh, std::size_t first,
+                                            std::size_t last, const Buffer<bool>& flipped) const {
   Ranks ranks(*this, mesh);
-  BeforeAfter result{neutral(), neutral()};
+  Totals totals(*this);
   std::array<double, kBlock> staying;
   for (std::size_t begin = first; begin < last; begin += kBlock) {
     const std::size_t size = std::min(kBlock, last - begin);
     const double* const rank = ranks.of_triangles(begin, size);
+    totals.before.add({rank, size});
+    if (is_sum()) continue;
     const bool* const is_flipped = &flipped[begin];
     run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
       for (std::size_t i = 0; i < size; ++i) staying[i] = is_flipped[i] ? neutral() : rank[i];
     });
-    result.before = combine(result.before, combine({rank, size}));
-    result.after = combine(result.after, combine({staying.data(), size}));
+    totals.after.add({staying.data(), size});
   }
-  return result;
+  return totals;
 }
 
 /// What the triangles that flips make combine to. Marks those that they take the place of.
-double TriangleValues::fold_flipped(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips,
-                                    Buffer<bool>& flipped) const {
+TriangleValues::Totals TriangleValues::fold_flipped(const TriangleMesh& mesh,
+                                                    std::span<const HalfEdgeId> flips,
+                                                    Buffer<bool>& flipped) const {
   Ranks ranks(*this, mesh);
-  double result = neutral();
+  Totals totals(*this);
   for (std::size_t begin = 0; begin < flips.size(); begin += kBlock) {
     const auto part = flips.subspan(begin, std::min(kBlock, flips.size() - begin));
-    ranks.of_flips(part);
-    for (const int side : {0, 1})
-      result = combine(result, combine({ranks.flipped(side), part.size()}));
+    if (is_sum())
+      ranks.at_edges(part);
+    else
+      ranks.of_flips(part);
+    for (const int side : {0, 1}) {
+      totals.after.add({ranks.flipped(side), part.size()});
+      if (is_sum()) totals.replaced.add({ranks.now(side), part.size()});
+    }
     for (const HalfEdgeId h : part)
       for (const HalfEdgeId side : {h, mesh.twin(h)}) flipped[TriangleMesh::triangle(side)] = true;
   }
-  return result;
+  return totals;
 }
 
 TriangleValues::BeforeAfter TriangleValues::with_flips(const TriangleMesh& mesh,
-                                                       std::span<const HalfEdgeId> flips) const {
+                                                       std::span<const HalfEdgeId> flips,
+                                                       const ExactSum& missed) const {
   constexpr std::size_t kGrain = 1 << 13;
   Buffer<bool> flipped(mesh.triangle_count(), false);
-  BeforeAfter all{neutral(), neutral()};
+  Totals all(*this);
   const auto add = [&](std::size_t size, const auto& part) {
-    const auto find = [&](std::size_t first, std::size_t last, std::vector<BeforeAfter>& found) {
+    const auto find = [&](std::size_t first, std::size_t last, std::vector<Totals>& found) {
       found.push_back(part(first, last));
     };
-    for (const auto& [before, after] : parallel_collect<BeforeAfter>(0, size, kGrain, find))
-      all = {combine(all.before, before), combine(all.after, after)};
+    for (const Totals& totals : parallel_collect<Totals>(0, size, kGrain, find)) {
+      all.before.add(totals.before);
+      all.after.add(totals.after);
+      all.replaced.add(totals.replaced);
+    }
   };
   add(flips.size(), [&](std::size_t first, std::size_t last) {
-    return BeforeAfter{neutral(), fold_flipped(mesh, flips.subspan(first, last - first), flipped)};
+    return fold_flipped(mesh, flips.subspan(first, last - first), flipped);
   });
   add(flipped.size(),
       [&](std::size_t first, std::size_t last) { return fold(mesh, first, last, flipped); });
-  all = {value(all.before), value(all.after)};
-  if (objective().measure == Measure::length && objective().aggregate == Aggregate::sum) {
-    const double missing = half_boundary_length(mesh);
-    all = {all.before + missing, all.after + missing};
+  if (!is_sum()) {
+    const double after = value(all.after.value());
+    return {value(all.before.value()), after, after};
   }
-  return all;
+  if (is_total_length(objective())) all.before.add(half_boundary_length(mesh));
+  all.after.add(all.before);
+  all.after.sum().subtract(all.replaced);
+  const double after = all.after.value();
+  if (sign() > 0)
+    all.after.sum().subtract(missed);
+  else
+    all.after.sum().add(missed);
+  return {all.before.value(), after, all.after.bound()};
 }
 
-/// What is missing when the edges of all triangles count half: that of the hull.
-double TriangleValues::half_boundary_length(const TriangleMesh& mesh) const {
-  double sum = 0;
+Total TriangleValues::half_boundary_length(const TriangleMesh& mesh) const {
+  Total total(*this);
   const HalfEdgeId start = first_on_boundary(mesh);
   HalfEdgeId h = start;
   do {
-    sum += finite(distance(xy_[mesh.origin(h)], xy_[mesh.target(h)])) / 2;
+    const Point &a = xy_[mesh.origin(h)], &b = xy_[mesh.target(h)];
+    total.add(is_wide_ ? (distance(WidePoint{a}, WidePoint{b}) / 2).to_double()
+                       : distance(a, b) / 2);
     h = following_on_boundary(mesh, h);
   } while (h != start);
-  return sum;
+  return total;
 }
 
 }  // namespace hodt

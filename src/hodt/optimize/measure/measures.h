@@ -1,35 +1,25 @@
-// What a triangle measures. A new measure is one more function here, and a name in objective.
+// What a triangle measures. A new measure is one more function here, and a name in objective; one's
+// own is an OwnTriangleMeasure.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
 #include "hodt/base/buffer.h"
-#include "hodt/base/lanes.h"
 #include "hodt/geometry/point.h"
 #include "hodt/mesh/triangle_mesh.h"
 #include "hodt/optimize/combination.h"
 
 namespace hodt {
 
-/// Where rounding leaves no area, or coordinates are huge, values can be infinite or undefined.
-/// Then they are 1e150 or 0.
-HODT_INLINE double finite(double value) {
-  constexpr double kLargest = 1e150;
-  return value < kLargest ? value : value >= kLargest ? kLargest : 0;  // 0: not a number
-}
-
-/// Values of triangles for an objective of kind measured, and how they combine. `z` may be empty
-/// unless the measure needs heights. A view: the points and heights must outlive it.
+/// Values of triangles for an objective with a TriangleMeasure, and how they combine. `z` may be
+/// empty unless the measure needs heights. A view: the points and heights must outlive it.
 class TriangleValues : public Combination {
  public:
-  TriangleValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z)
-      : Combination(objective),
-        is_flat_area_(objective.measure == Measure::flat_area),
-        xy_(xy),
-        z_(z) {}
+  TriangleValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z);
 
-  /// The value of a triangle, its corners in any order; never negative, at most 1e150.
+  /// The value of a triangle, finite and never negative; the corners in any order,
+  /// counter-clockwise for measures of one's own. Throws InputError if a double cannot hold it.
   double of(VertexId a, VertexId b, VertexId c) const;
 
   /// Whether the two triangles of the first pair are better than those of the second, by value, and
@@ -40,31 +30,48 @@ class TriangleValues : public Combination {
                     const double* b2, bool* is_better) const;
 
   /// Moves the edges whose flips make a better pair of triangles to the front, in their order, and
-  /// returns how many they are. No edge may be on the boundary.
-  std::size_t keep_better_flips(const TriangleMesh& mesh, std::span<HalfEdgeId> edges) const;
+  /// returns how many they are. No edge may be on the boundary. By sums, what the others would gain
+  /// in spite of that, as a gain within rounding is none, is added to `missed`.
+  std::size_t keep_better_flips(const TriangleMesh& mesh, std::span<HalfEdgeId> edges,
+                                ExactSum& missed) const;
 
   /// The objective's value of a triangulation.
   double of(const TriangleMesh& mesh) const { return with_flips(mesh, {}).before; }
-  /// That, and what flips make of it. No two may have a triangle in common.
+  /// That, and what flips make of it. No two may have a triangle in common. The bound is that of
+  /// sums that are better by what was missed.
   struct BeforeAfter {
-    double before, after;
+    double before, after, bound;
   };
-  BeforeAfter with_flips(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips) const;
+  BeforeAfter with_flips(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips,
+                         const ExactSum& missed = {}) const;
+
+  /// What is missing when the edges of all triangles count half: that of the hull.
+  Total half_boundary_length(const TriangleMesh& mesh) const;
 
  private:
   // Ranks compare as values do, and for sums they are the values: angles that are compared only
-  // need no arctangents. They are measured block by block.
+  // need no arctangents. They are measured block by block, or one by one.
   class Ranks;
+  struct Totals;
   template <class F>
   void with_rank(const F& f) const;
+  double rank(VertexId a, VertexId b, VertexId c) const;
+  bool compares_angles() const;
   double value(double rank) const;
-  BeforeAfter fold(const TriangleMesh& mesh, std::size_t first, std::size_t last,
-                   const Buffer<bool>& flipped) const;
-  double fold_flipped(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips,
+  bool is_triangle(VertexId a, VertexId b, VertexId c) const;
+  double of_none() const;
+  double own_value(VertexId a, VertexId b, VertexId c) const;
+  double wide_value(VertexId a, VertexId b, VertexId c) const;
+  double wide_rank(VertexId a, VertexId b, VertexId c) const;
+  [[noreturn]] void throw_out_of_range(VertexId a, VertexId b, VertexId c, bool is_large) const;
+  Totals fold(const TriangleMesh& mesh, std::size_t first, std::size_t last,
+              const Buffer<bool>& flipped) const;
+  Totals fold_flipped(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips,
                       Buffer<bool>& flipped) const;
-  double half_boundary_length(const TriangleMesh& mesh) const;
 
-  bool is_flat_area_;
+  TriangleMeasure measure_;
+  bool is_wide_;        // no double holds all squares and products of the coordinates
+  bool is_one_by_one_;  // nothing to measure side by side
   std::span<const Point> xy_;
   std::span<const double> z_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "hodt/optimize/rounded_sum.h"
+
 namespace hodt {
 
 void ChoicePair::add(const Combination& combination, Index from,
@@ -10,7 +12,7 @@ void ChoicePair::add(const Combination& combination, Index from,
   for (const bool x : kBoth)
     for (const bool y : kBoth) {
       double& cost = from == i ? costs[x][y] : costs[y][x];
-      cost = combination.combine(cost, more[x][y]);
+      cost = combine_outward(combination, cost, more[x][y]);
     }
 }
 
@@ -61,8 +63,8 @@ void ChoiceGraph::join(Index j, Index k, Index i, const std::array<SingleCosts, 
   unlink(k, i);
 }
 
-/// What i costs if nothing depends on it, else what changes nothing.
-double ChoiceGraph::eliminate(Index i) {
+/// What i costs if nothing depends on it, else nothing.
+std::optional<double> ChoiceGraph::eliminate(Index i) {
   const Combination& c = combination_;
   const std::span<const Link> others = links(i);
   Decision decision{i, kNone, kNone, {}};
@@ -70,16 +72,17 @@ double ChoiceGraph::eliminate(Index i) {
     decision.best[setting] = c.better(with, without);
     return decision.best[setting] ? with : without;
   };
+  const auto sum = [&](double x, double y) { return combine_outward(c, x, y); };
   const auto [without, with] = singles_[i];
-  double decided = c.neutral();
+  std::optional<double> decided;
   if (others.empty()) {
     decided = best(0, without, with);
   } else if (others.size() == 1) {
     const Index j = decision.j = others[0].to;
     for (const bool x : kBoth) {
-      const double value = best(x, c.combine(without, cost(i, false, others[0], x)),
-                                c.combine(with, cost(i, true, others[0], x)));
-      singles_[j][x] = c.combine(singles_[j][x], value);
+      const double value = best(x, sum(without, cost(i, false, others[0], x)),
+                                sum(with, cost(i, true, others[0], x)));
+      singles_[j][x] = sum(singles_[j][x], value);
     }
     unlink(j, i);
   } else {
@@ -88,8 +91,7 @@ double ChoiceGraph::eliminate(Index i) {
     for (const bool x : kBoth)
       for (const bool y : kBoth) {
         const auto cost_if = [&](bool chosen, double single) {
-          return c.combine(single,
-                           c.combine(cost(i, chosen, others[0], x), cost(i, chosen, others[1], y)));
+          return sum(single, sum(cost(i, chosen, others[0], x), cost(i, chosen, others[1], y)));
         };
         costs[x][y] = best(x + 2 * y, cost_if(false, without), cost_if(true, with));
       }
@@ -100,8 +102,8 @@ double ChoiceGraph::eliminate(Index i) {
   return decided;
 }
 
-double ChoiceGraph::eliminate_simple() {
-  double decided = combination_.neutral();
+Total ChoiceGraph::eliminate_simple() {
+  Total decided(combination_);
   std::vector<Index> simple;
   for (Index seed = 0; seed < size(); ++seed) {
     simple.assign(1, seed);
@@ -110,7 +112,7 @@ double ChoiceGraph::eliminate_simple() {
       simple.pop_back();
       if (is_eliminated(i) || degree_[i] > 2) continue;
       for (const Link& link : links(i)) simple.push_back(link.to);
-      decided = combination_.combine(decided, eliminate(i));
+      if (const std::optional<double> cost = eliminate(i)) decided.add(*cost);
     }
   }
   return decided;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct ChoicePair {
   double cost(Index from, bool chosen, bool other_chosen) const {
     return from == i ? costs[chosen][other_chosen] : costs[other_chosen][chosen];
   }
-  /// Combines these costs, [from][other], with its own.
+  /// Combines these costs, [from][other], with its own; sums are rounded outward.
   void add(const Combination& combination, Index from, const std::array<SingleCosts, 2>& more);
 };
 
@@ -52,8 +53,9 @@ class ChoiceGraph {
 
   /// Eliminates choices that depend on at most two others, as long as there are any: the best that
   /// such a choice can be, for each setting of the others, is a cost of these. Returns what the
-  /// choices cost that came to depend on nothing.
-  double eliminate_simple();
+  /// choices cost that came to depend on nothing. Sums are rounded outward, so that what is best is
+  /// a bound on the exact sums.
+  Total eliminate_simple();
   /// Decides the eliminated choices, best for what is chosen of the others.
   void decide_eliminated(std::vector<bool>& chosen) const;
 
@@ -64,7 +66,7 @@ class ChoiceGraph {
     std::array<bool, 4> best;  // for j + 2 k
   };
 
-  double eliminate(Index i);
+  std::optional<double> eliminate(Index i);
   double cost(Index i, bool chosen, const Link& link, bool other) const {
     return pairs_[link.pair].cost(i, chosen, other);
   }

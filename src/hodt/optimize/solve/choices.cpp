@@ -1,18 +1,31 @@
 #include "hodt/optimize/solve/choices.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "hodt/optimize/rounded_sum.h"
 #include "hodt/optimize/solve/choice_parts.h"
 
 namespace hodt {
 
 Choices::Choices(const Combination& combination, Index count)
-    : combination_(combination), singles_(count, {combination.neutral(), combination.neutral()}) {}
+    : combination_(combination),
+      singles_(count, {combination.neutral(), combination.neutral()}),
+      lost_(combination.is_sum() ? count : 0, {0, 0}) {}
 
 void Choices::add(Index i, const SingleCosts& costs) {
-  for (Index x = 0; x < 2; ++x) singles_[i][x] = combination_.combine(singles_[i][x], costs[x]);
+  for (const bool x : kBoth) {
+    const double before = singles_[i][x];
+    const double sum = singles_[i][x] = combination_.combine(before, costs[x]);
+    if (!combination_.is_sum()) continue;
+    const double lost = lost_in_sum(before, costs[x], sum), lost_before = lost_[i][x];
+    const double all = lost_[i][x] = lost_before + lost;
+    const double rest = lost_in_sum(lost_before, lost, all);
+    if (rest != 0) rests_.push_back({i, x, rest});
+  }
 }
 
 void Choices::add(std::span<const ChoicePair> pairs) {
@@ -36,11 +49,11 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
   }
   Choices rest(c, static_cast<Index>(open.size()));
   std::vector<ChoicePair> pairs;
-  double settled_cost = c.neutral();
+  Total settled_cost(c);
   for (Index i = 0; i < part.size(); ++i) {
     const bool x = known.chosen[i];
     if (number[i] == kNone)
-      settled_cost = c.combine(settled_cost, graph.single(part[i])[x]);
+      settled_cost.add(graph.single(part[i])[x]);
     else
       rest.add(number[i], graph.single(part[i]));
     for (const ChoiceGraph::Link& link : graph.links(part[i])) {
@@ -50,7 +63,7 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
       if (number[i] != kNone && number[j] == kNone)
         rest.add(number[i], {pair.cost(part[i], false, y), pair.cost(part[i], true, y)});
       else if (number[i] == kNone && number[j] == kNone && i < j)
-        settled_cost = c.combine(settled_cost, pair.cost(part[i], x, y));
+        settled_cost.add(pair.cost(part[i], x, y));
       else if (number[i] != kNone && i < j)
         pairs.push_back({number[i],
                          number[j],
@@ -64,7 +77,8 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
   const bool is_better = c.better(rest.value(found.chosen), rest.value(chosen_before));
   for (std::size_t n = 0; n < open.size() && is_better; ++n)
     result.chosen[open[n]] = found.chosen[n];
-  const double bound = c.combine(settled_cost, found.bound);
+  settled_cost.add(found.bound);
+  const double bound = settled_cost.bound();
   if (c.better(known.bound, bound)) result.bound = bound;  // the tighter one
   return result;
 }
@@ -84,22 +98,45 @@ PartChoices best_of(const ChoiceGraph& graph, std::span<const Index> part,
 
 }  // namespace
 
-double Choices::value(const std::vector<bool>& chosen) const {
-  double value = combination_.neutral();
-  for (std::size_t i = 0; i < singles_.size(); ++i)
-    value = combination_.combine(value, singles_[i][chosen[i]]);
-  for (const auto& [i, j, costs] : pairs_)
-    value = combination_.combine(value, costs[chosen[i]][chosen[j]]);
-  return value;
+Total Choices::total(const std::vector<bool>& chosen) const {
+  Total total(combination_);
+  std::array<double, 256> costs;
+  std::size_t size = 0;
+  const auto add_up = [&] { total.add({costs.data(), std::exchange(size, 0)}); };
+  const auto add = [&](double cost) {
+    if (size == costs.size()) add_up();
+    costs[size++] = cost;
+  };
+  for (std::size_t i = 0; i < singles_.size(); ++i) add(singles_[i][chosen[i]]);
+  for (const auto& [i, j, pair] : pairs_) add(pair[chosen[i]][chosen[j]]);
+  add_up();
+  // Far smaller than the rest.
+  for (std::size_t i = 0; i < lost_.size(); ++i) add(lost_[i][chosen[i]]);
+  for (const auto& [i, x, cost] : rests_)
+    if (chosen[i] == x) add(cost);
+  add_up();
+  return total;
+}
+
+/// No exact sum of single costs is better.
+std::vector<SingleCosts> Choices::outward_singles() const {
+  std::vector<SingleCosts> singles = singles_;
+  const double sign = combination_.sign();
+  for (std::size_t i = 0; i < lost_.size(); ++i)
+    for (const bool x : kBoth)
+      singles[i][x] = combine_outward(combination_, singles[i][x], lost_[i][x]);
+  for (const Rest& rest : rests_)
+    singles[rest.choice][rest.chosen] = outward(singles[rest.choice][rest.chosen], sign);
+  return singles;
 }
 
 Choices::Result Choices::best(const Deadline& deadline) const {
-  ChoiceGraph graph(combination_, singles_, pairs_);
+  ChoiceGraph graph(combination_, outward_singles(), pairs_);
   Result result{std::vector<bool>(graph.size(), false), graph.eliminate_simple()};
   for (const std::vector<Index>& part : graph.parts()) {
     const PartChoices best = best_of(graph, part, deadline);
     for (std::size_t i = 0; i < part.size(); ++i) result.chosen[part[i]] = best.chosen[i];
-    result.bound = combination_.combine(result.bound, best.bound);
+    result.bound.add(best.bound);
   }
   graph.decide_eliminated(result.chosen);
   return result;

@@ -23,21 +23,32 @@ class Choices {
   void add(std::span<const ChoicePair> pairs);
 
   /// What such choices cost.
-  double value(const std::vector<bool>& chosen) const;
+  Total total(const std::vector<bool>& chosen) const;
+  double value(const std::vector<bool>& chosen) const { return total(chosen).value(); }
 
   struct Result {
     std::vector<bool> chosen;
-    /// No choices combine to a better value.
-    double bound;
+    /// No choices combine to a better total.
+    Total bound;
   };
   /// Exact, but for sums in parts that are far from trees (lattices): there the bound tells.
   /// With the deadline the messages of such a part end; the bound stays valid.
   Result best(const Deadline& deadline = {}) const;
 
  private:
+  std::vector<SingleCosts> outward_singles() const;
+
   Combination combination_;
   std::vector<SingleCosts> singles_;
   std::vector<ChoicePair> pairs_;
+  // By sums: what rounding took from the single costs, and if that was rounded, the rest.
+  std::vector<SingleCosts> lost_;
+  struct Rest {
+    Index choice;
+    bool chosen;
+    double cost;
+  };
+  std::vector<Rest> rests_;
 };
 
 }  // namespace hodt

@@ -123,30 +123,35 @@ void Messages::pass(bool forward) {
 }
 
 double Messages::bound() const {
-  double bound = 0, size = 0;
+  ExactSum bound;
+  double size = 0;  // of what is added up to the terms of the bound
+  std::size_t most_pairs = 0;
   const auto add = [&](double least) {
-    bound += least;
+    bound.add(least);
     size += std::fabs(least);
   };
   for (Index i = 0; i < nodes_.size(); ++i) {
     const SingleCosts cost = now(i);
+    most_pairs = std::max(most_pairs, nodes_[i].last - nodes_[i].first);
     add(std::min(cost[0], cost[1]));
     for (const bool x : kBoth) size += std::fabs(nodes_[i].cost[x]);
   }
   for (const Pair& pair : pairs_) {
     add(std::min(std::min(pair.left(false, false), pair.left(false, true)),
                  std::min(pair.left(true, false), pair.left(true, true))));
-    for (const SingleCosts& lent : pair.lent) size += std::fabs(lent[0]) + std::fabs(lent[1]);
+    for (const SingleCosts& lent : pair.lent) size += 2 * (std::fabs(lent[0]) + std::fabs(lent[1]));
+    for (const SingleCosts& costs : pair.costs) size += std::fabs(costs[0]) + std::fabs(costs[1]);
   }
-  // Far more than what rounding does to so many sums.
-  return bound - 1e-13 * size;
+  // Each term is a sum of so few, each rounding of which is 2^-53 of what is added up at most.
+  bound.subtract(double(most_pairs + 4) * 0x1p-52 * size);
+  return bound.down();
 }
 
 double Messages::value(const std::vector<bool>& chosen) const {
-  double value = 0;
-  for (Index i = 0; i < nodes_.size(); ++i) value += nodes_[i].cost[chosen[i]];
-  for (const Pair& pair : pairs_) value += pair.costs[chosen[pair.i]][chosen[pair.j]];
-  return value;
+  ExactSum value;
+  for (Index i = 0; i < nodes_.size(); ++i) value.add(nodes_[i].cost[chosen[i]]);
+  for (const Pair& pair : pairs_) value.add(pair.costs[chosen[pair.i]][chosen[pair.j]]);
+  return value.nearest();
 }
 
 /// In order, what is best with the choices made and the messages of the pairs that lead on.

@@ -2,6 +2,7 @@
 #include <set>
 #include <utility>
 
+#include "hodt/optimize/rounded_sum.h"
 #include "hodt/optimize/solve/choice_parts.h"
 
 namespace hodt {
@@ -65,7 +66,6 @@ bool Tables::eliminate_all() {
 
 double Tables::value(Index i, bool chosen, const std::vector<Index>& scope,
                      std::size_t setting) const {
-  const Combination& c = graph_.combination();
   const auto is_set = [&](Index j) {
     if (j == i) return chosen;
     const auto at = std::lower_bound(scope.begin(), scope.end(), j) - scope.begin();
@@ -75,14 +75,15 @@ double Tables::value(Index i, bool chosen, const std::vector<Index>& scope,
   for (const ChoiceGraph::Link& link : graph_.links(part_[i])) {
     const Index j = place_in(part_, link.to);
     if (places_[j].is_done) continue;  // in a table
-    value = c.combine(value, graph_.pair(link.pair).cost(part_[i], chosen, is_set(j)));
+    value = combine_outward(graph_.combination(), value,
+                            graph_.pair(link.pair).cost(part_[i], chosen, is_set(j)));
   }
   for (const Index t : places_[i].tables) {
     const Table& table = tables_[t];
     std::size_t own = 0;
     for (std::size_t b = 0; b < table.scope.size(); ++b)
       own |= std::size_t(is_set(table.scope[b])) << b;
-    value = c.combine(value, table.values[own]);
+    value = combine_outward(graph_.combination(), value, table.values[own]);
   }
   return value;
 }
@@ -113,7 +114,7 @@ bool Tables::eliminate(Index i) {
       if (k != j) places_[j].neighbours.insert(k);
     places_[j].tables.push_back(at);
   }
-  if (table.scope.empty()) value_ = c.combine(value_, table.values[0]);
+  if (table.scope.empty()) value_ = combine_outward(graph_.combination(), value_, table.values[0]);
   tables_.push_back(std::move(table));
   return true;
 }

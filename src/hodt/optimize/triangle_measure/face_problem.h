@@ -30,7 +30,7 @@ struct FaceProblem {
 struct FaceSolution {
   /// Indices of the triangles, or none if no triangulation was found.
   std::vector<Index> chosen;
-  /// No triangulation of the face is better. By sums: but for rounding, relatively 1e-9.
+  /// No triangulation of the face is better, sums being exact ones.
   double bound = 0;
   /// By sums to minimize: how much less each triangle could cost, all of them at once, and the
   /// bound be the same, about. Or nothing.

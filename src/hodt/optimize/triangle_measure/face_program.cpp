@@ -1,11 +1,14 @@
 #include "hodt/optimize/triangle_measure/face_program.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include "hodt/optimize/rounded_sum.h"
 
 namespace hodt {
 
@@ -83,8 +86,10 @@ FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face, const Com
   std::vector<double> spare;
   for (const double reduced : solution.reduced_costs)
     spare.push_back(std::max(largest * reduced, 0.0));
-  // No measure is negative.
-  return {solution.ones, std::max(sign * largest * solution.bound, 0.0), std::move(spare)};
+  // Each cost was rounded, and what a found solution costs.
+  const double rounding = double(face.size) * 0x1p-51 * (1 + std::fabs(solution.bound));
+  const double bound = bound_within(values, sign * largest * solution.bound, largest * rounding);
+  return {solution.ones, std::max(bound, 0.0), std::move(spare)};  // no measure is negative
 }
 
 /// Values from best to worst, each once.

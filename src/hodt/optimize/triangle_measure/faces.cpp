@@ -4,6 +4,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/optimize/rounded_sum.h"
 #include "hodt/order/triangles.h"
 
 namespace hodt {
@@ -12,13 +13,14 @@ namespace {
 
 using Corners = std::array<VertexId, 3>;
 
-/// Proven, and no more: every place has a triangle, one of those given.
+/// Proven, and little more: every place has a triangle, one of those given.
 double loose_bound(const FaceProblem& face, const Combination& combination) {
   double best = face.triangles.front().value;
   for (const FaceTriangle& t : face.triangles)
     if (combination.better(t.value, best)) best = t.value;
-  const bool is_sum = combination.objective().aggregate == Aggregate::sum;
-  return is_sum ? double(face.size) * best : best;
+  if (!combination.is_sum()) return best;
+  const double product = double(face.size) * best;
+  return bound_within(combination, product, 0x1p-52 * product);
 }
 
 }  // namespace
@@ -77,7 +79,11 @@ FaceSolution Faces::solve(Index face, const Combination& combination, double val
   std::unique_ptr<FaceProgram> own;
   std::unique_ptr<FaceProgram>& kept = program != nullptr ? *program : own;
   if (!kept) kept = std::make_unique<FaceProgram>(problem, deadline, most_programs);
-  return kept->solve(problem, combination);
+  FaceSolution solution = kept->solve(problem, combination);
+  // A solver that fails leaves none, or a bad one.
+  const double loose = loose_bound(problem, combination);
+  if (!combination.better(loose, solution.bound)) solution.bound = loose;
+  return solution;
 }
 
 }  // namespace hodt

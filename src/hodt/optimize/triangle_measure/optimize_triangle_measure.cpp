@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -22,12 +23,20 @@ using Corners = std::array<VertexId, 3>;
 MeasuredSolution optimize_first_order(const MeasureProblem& problem) {
   const TriangleMesh& mesh = problem.graph.mesh;
   const TriangleValues values(problem.objective, problem.graph.xy, problem.z);
-  std::vector<HalfEdgeId> flips = first_order_edges(
-      problem.graph,
-      [&](std::span<HalfEdgeId> edges) { return values.keep_better_flips(mesh, edges); });
-  const auto [before, after] = values.with_flips(mesh, flips);
-  return {
-      .change = MeshChange(std::move(flips)), .delaunay = before, .result = after, .bound = after};
+  ExactSum missed;
+  std::mutex mutex;
+  std::vector<HalfEdgeId> flips =
+      first_order_edges(problem.graph, [&](std::span<HalfEdgeId> edges) {
+        ExactSum missed_here;
+        const std::size_t kept = values.keep_better_flips(mesh, edges, missed_here);
+        if (!missed_here.is_empty()) {
+          const std::lock_guard lock(mutex);
+          missed.add(missed_here);
+        }
+        return kept;
+      });
+  const auto [before, after, bound] = values.with_flips(mesh, flips, missed);
+  return measured(values, MeshChange(std::move(flips)), before, after, bound);
 }
 
 /// Order 2 and more.
@@ -38,62 +47,55 @@ class Optimizer {
         graph_(problem.graph),
         values_(problem.objective, graph_.xy, problem.z),
         is_sum_(problem.objective.aggregate == Aggregate::sum),
-        mesh_(graph_.mesh) {}
+        mesh_(graph_.mesh),
+        bound_(values_) {
+    if (is_total_length(problem.objective)) bound_.add(values_.half_boundary_length(mesh_));
+  }
 
   MeasuredSolution run() && {
     solve_faces();
-    const double result = values_.of(mesh_);
-    // Each face lost as much as that, or nothing.
-    const double bound = is_sum_ ? result - gap_ : values_.combine(bound_, fixed_);
-    return {.change = MeshChange(std::move(mesh_)),
-            .delaunay = values_.of(graph_.mesh),
-            .result = result,
-            .bound = bound};
+    const double before = values_.of(graph_.mesh), result = values_.of(mesh_);
+    return measured(values_, MeshChange(std::move(mesh_)), before, result, bound_.bound());
   }
 
  private:
   void solve_faces();
   void take(Faces& faces, Index face, const FaceSolution& solution);
   double value_in_mesh(std::span<const TriangleId> places) const {
-    double value = values_.neutral();
+    return total_in_mesh(places).value();
+  }
+  Total total_in_mesh(std::span<const TriangleId> places) const {
+    Total total(values_);
     for (const TriangleId t : places) {
       const auto [a, b, c] = mesh_.corners(t);
-      value = values_.combine(value, values_.of(a, b, c));
+      total.add(values_.of(a, b, c));
     }
-    return value;
+    return total;
   }
 
   const MeasureProblem& problem_;
   const DelaunayGraph& graph_;
   const TriangleValues values_;
   const bool is_sum_;
-  TriangleMesh mesh_;                 // the best so far
-  double gap_ = 0;                    // of sums
-  double bound_ = values_.neutral();  // of the others: of the faces
-  double fixed_ = values_.neutral();  // and of the triangles that are always there
+  TriangleMesh mesh_;  // the best so far
+  Total bound_;        // of the faces, and of the triangles that are always there
 };
 
 void Optimizer::take(Faces& faces, Index face, const FaceSolution& solution) {
   const std::span<const TriangleId> places = faces.places(face);
-  double value = value_in_mesh(places);
-  if (!solution.chosen.empty()) {
-    std::vector<Corners> fresh;
-    double chosen_value = values_.neutral();
-    for (const Index t : solution.chosen) {
-      const FaceTriangle& triangle = faces.triangles(face)[t];
-      fresh.push_back(triangle.corners);
-      chosen_value = values_.combine(chosen_value, triangle.value);
-    }
-    // Equal sums differ by rounding; equal largest values leave the rest better.
-    if (values_.better(chosen_value, value) || (!is_sum_ && chosen_value == value)) {
-      replace_triangles(mesh_, places, fresh);
-      value = chosen_value;
-    }
+  bound_.add(solution.bound);
+  if (solution.chosen.empty()) return;
+  std::vector<Corners> fresh;
+  Total chosen(values_);
+  for (const Index t : solution.chosen) {
+    const FaceTriangle& triangle = faces.triangles(face)[t];
+    fresh.push_back(triangle.corners);
+    chosen.add(triangle.value);
   }
-  if (is_sum_)
-    gap_ += value - solution.bound;
-  else
-    bound_ = values_.combine(bound_, solution.bound);
+  // Equal largest values leave the rest better.
+  const double value = value_in_mesh(places);
+  if (values_.better(chosen.value(), value) || (!is_sum_ && chosen.value() == value))
+    replace_triangles(mesh_, places, fresh);
 }
 
 void Optimizer::solve_faces() {
@@ -122,8 +124,8 @@ void Optimizer::solve_faces() {
   for (Index face = 0; face < faces.size(); ++face) {
     if (faces.places(face).size() > 1)
       take(faces, face, solutions[face]);
-    else if (!is_sum_)
-      fixed_ = values_.combine(fixed_, value_in_mesh(faces.places(face)));
+    else
+      bound_.add(total_in_mesh(faces.places(face)));
   }
   // Below the largest (or smallest) value of a face there may be something left to gain.
   if (!is_sum_) improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh_);
@@ -136,7 +138,7 @@ MeasuredSolution optimize_triangle_measure(const MeasureProblem& problem) {
   if (problem.order > 1) return Optimizer(problem).run();
   const TriangleValues values(problem.objective, problem.graph.xy, problem.z);
   const double value = values.of(problem.graph.mesh);
-  return {.change = {}, .delaunay = value, .result = value, .bound = value};
+  return measured(values, {}, value, value, value);
 }
 
 }  // namespace hodt

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hodt/optimize/rounded_sum.h"
+
 namespace hodt {
 
 /// Numbers the vertices along the boundary; false if it is not one simple polygon.
@@ -45,23 +47,29 @@ std::optional<FaceSolution> PolygonOptimum::solve(const FaceProblem& face,
     const Index span_a = a.last - a.first, span_b = b.last - b.first;
     return span_a != span_b ? span_a < span_b : a.triangle < b.triangle;
   });
-  best_.assign(std::size_t(m) * m, {0, 0, kNone, kNone});
+  best_.assign(std::size_t(m) * m, {0, 0, 0, kNone, kNone});
   const auto best = [&](Index i, Index j) -> Best& { return best_[std::size_t(i) * m + j]; };
-  for (Index i = 0; i + 1 < m; ++i) best(i, i + 1) = {values.neutral(), 0, kNone, i};
+  for (Index i = 0; i + 1 < m; ++i)
+    best(i, i + 1) = {values.neutral(), 0, values.neutral(), kNone, i};
   for (const Placed& p : placed_) {
     const Best &left = best(p.first, p.apex), &right = best(p.apex, p.last);
     if (left.apex == kNone || right.apex == kNone) continue;
     const double own = face.triangles[p.triangle].value;
     const double value = values.combine(own, values.combine(left.value, right.value));
+    const double bound =
+        combine_outward(values, own, combine_outward(values, left.bound, right.bound));
     const double rest = values.secondary_cost(own, face.value) + left.secondary + right.secondary;
     Best& target = best(p.first, p.last);
+    const double best_bound =
+        target.apex == kNone || values.better(bound, target.bound) ? bound : target.bound;
     if (target.apex == kNone || values.better(value, target.value) ||
         (value == target.value && rest < target.secondary))
-      target = {value, rest, p.triangle, p.apex};
+      target = {value, rest, 0, p.triangle, p.apex};
+    target.bound = best_bound;
   }
   if (best(0, m - 1).apex == kNone) return std::nullopt;
   FaceSolution solution;
-  solution.bound = best(0, m - 1).value;
+  solution.bound = best(0, m - 1).bound;
   std::vector<std::pair<Index, Index>> chains{{0, m - 1}};
   while (!chains.empty()) {
     const auto [i, j] = chains.back();

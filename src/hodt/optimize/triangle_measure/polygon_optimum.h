@@ -21,6 +21,7 @@ class PolygonOptimum {
  private:
   struct Best {
     double value, secondary;
+    double bound;  // no exact sum is better; otherwise the value
     Index triangle;
     Index apex;  // a position; kNone: there is no triangulation
   };

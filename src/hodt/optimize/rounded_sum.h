@@ -1,0 +1,43 @@
+// Sums of doubles, and what rounding does to them.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "hodt/base/lanes.h"
+#include "hodt/optimize/combination.h"
+
+namespace hodt {
+
+/// What is lost when x + y is rounded to `sum`: a double itself.
+HODT_INLINE double lost_in_sum(double x, double y, double sum) {
+  const double rounded_y = sum - x;
+  return (x - (sum - rounded_y)) + (y - rounded_y);
+}
+
+/// The next double below if sign is 1, above if it is -1.
+inline double outward(double value, double sign) {
+  return std::nextafter(value, -sign * std::numeric_limits<double>::infinity());
+}
+
+/// Combines values, rounding sums so that the exact one is no better: for bounds.
+inline double combine_outward(const Combination& combination, double x, double y) {
+  const double combined = combination.combine(x, y);
+  if (!combination.is_sum()) return combined;
+  const double lost = lost_in_sum(x, y, combined), sign = combination.sign();
+  if (!(sign * lost < 0)) return combined;
+  // The next double, without a call where sums mostly are.
+  if (combined > std::numeric_limits<double>::min() && combined < 1e300)
+    return std::bit_cast<double>(std::bit_cast<std::int64_t>(combined) - (sign > 0 ? 1 : -1));
+  return outward(combined, sign);
+}
+
+/// No exact value is better than this if one within so much of it is the best.
+inline double bound_within(const Combination& combination, double value, double error) {
+  if (error == 0) return value;
+  return outward(value - combination.sign() * 1.001 * error, combination.sign());
+}
+
+}  // namespace hodt
