@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "app/common.h"
 #include <fmt/format.h>
@@ -36,14 +37,20 @@ void check_command_name(const CLI::App& app, int argc, const char* const* argv) 
   throw ParameterError(fmt::format("there is no command '{}'; known are {}", argv[1], known));
 }
 
+/// "-k" of "-k,--order".
+std::string short_name(const CLI::Option& option) {
+  const std::vector<std::string>& letters = option.get_snames();
+  return letters.empty() ? option.get_name() : "-" + letters.front();
+}
+
 /// An empty value would pass for an option that was not given.
 void check_values(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands())
     for (const CLI::Option* option : command->get_options())
       for (const std::string& value : option->results())
         if (value.empty())
-          throw ParameterError(fmt::format("{} is given without a value: ''",
-                                           option->get_name(option->get_positional(), true)));
+          throw ParameterError(
+              fmt::format("{} must be given a value, not ''", short_name(*option)));
 }
 
 /// Parses the command line into an action; help and version are actions too.

@@ -55,19 +55,21 @@ std::uint64_t parse_whole(std::string_view option, const std::string& text, std:
   return value;
 }
 
-Order parse_order(const std::string& text) {
+Order parse_order(const std::string& text, std::string_view option, Index least) {
   // More digits than these are no number to a reader of JSON.
   constexpr std::size_t most_digits = 300;
-  if (!is_whole(text) || text.size() > most_digits) {
+  const auto refuse = [&] {
     throw ParameterError(
-        fmt::format("-k must be a whole number of at least 0 and at most {} digits, not '{}'",
-                    most_digits, text));
-  }
+        fmt::format("{} must be a whole number of at least {} and at most {} digits, not '{}'",
+                    option, least, most_digits, text));
+  };
+  if (!is_whole(text) || text.size() > most_digits) refuse();
   const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size() - 1);
   Order order{kNone - 1, text.substr(zeros)};
   Index value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc()) order.limit = std::min(value, order.limit);
+  if (order.limit < least) refuse();
   return order;
 }
 

@@ -50,13 +50,14 @@ void add_compare(CLI::App& app, Action& action);
 std::uint64_t parse_whole(std::string_view option, const std::string& text, std::uint64_t least,
                           std::uint64_t most);
 
-/// An order k as it was given. No set of points tells orders apart that an Index cannot hold.
+/// An order, k or m, as it was given. No set of points tells orders apart that an Index cannot
+/// hold.
 struct Order {
   Index limit = 0;
   std::string digits;
 };
-/// The order from -k's text, however large.
-Order parse_order(const std::string& text);
+/// The order from an option's text, however large.
+Order parse_order(const std::string& text, std::string_view option = "-k", Index least = 0);
 Json to_json(const Order& order);
 
 /// A number that is not negative from an option's text; empty is 0. Throws ParameterError, saying

@@ -6,9 +6,11 @@ std::optional<double> angles_in_sum(const Report& report) {
   const Objective& objective = report.objective;
   if (objective.kind != Objective::measured || objective.aggregate != Aggregate::sum)
     return std::nullopt;
-  if (objective.measure == Measure::angle || objective.measure == Measure::small_angle)
+  const auto is = [&](Measure measure) { return objective.measure == measure; };
+  if (is(TriangleMeasure(TriangleMeasure::angle)) ||
+      is(TriangleMeasure(TriangleMeasure::small_angle)))
     return double(report.triangles);
-  if (objective.measure != Measure::abn) return std::nullopt;
+  if (!is(EdgeMeasure(EdgeMeasure::abn))) return std::nullopt;
   // Euler: n vertices and t triangles make n + t - 1 edges, of which 2n - 2 - t are on the
   // boundary.
   const std::size_t vertices = report.points - report.duplicates;

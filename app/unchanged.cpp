@@ -35,7 +35,7 @@ std::vector<bool> vertices_on_outline(const TriangleMesh& mesh) {
 /// corner on the outline.
 bool is_decided_on_outline(const Objective& objective, const Delaunay& delaunay) {
   const auto& [vertices, mesh] = delaunay;
-  if (is_of_edges(objective.measure)) return false;
+  if (is_of_edges(objective)) return false;
   const TriangleValues values(objective, vertices.xy, vertices.z);
   const std::vector<bool> at_outline = vertices_on_outline(mesh);
   const double sign = objective.aggregate == Aggregate::max ? 1 : -1;
@@ -64,8 +64,8 @@ std::string why_unchanged(const ObjectiveComparison& comparison, const Delaunay&
   const std::string place =
       is_decided_on_outline(objective, delaunay)
           ? "A triangle at the outline decides it, where there is least choice"
-      : is_of_edges(objective.measure) ? "An edge decides it"
-                                       : "A single triangle decides it";
+      : is_of_edges(objective) ? "An edge decides it"
+                               : "A single triangle decides it";
   return place + (proved ? ", and no triangulation of these orders does noticeably better."
                          : ", and nothing noticeably better was found.");
 }

@@ -61,7 +61,7 @@ std::size_t write_cells(const VoronoiDiagram& diagram, const VertexSet& vertices
 }
 
 int run(const Arguments& arguments) {
-  const auto order = static_cast<Index>(parse_whole("-m", arguments.order, 1, kNone - 1));
+  const Order order = parse_order(arguments.order, "-m", 1);
   std::optional<Box> box;
   if (!arguments.box.empty()) box = parse_box(arguments.box);
   const ThreadLimit limit(parse_threads(arguments.threads));
@@ -78,11 +78,11 @@ int run(const Arguments& arguments) {
     progress.report("Voronoi diagram");
     const Delaunay triangulation = naming(arguments.input.file, [&] { return delaunay(points); });
     const std::size_t distinct = triangulation.vertices.size();
-    if (order >= distinct)
+    if (order.limit >= distinct)
       throw ParameterError(
-          fmt::format("{}: -m must be less than the number of distinct points, {}, not {}",
+          fmt::format("{}: -m must be less than the number of distinct points, {}, not '{}'",
                       display_name(arguments.input.file), distinct, arguments.order));
-    const VoronoiDiagram diagram = voronoi_diagram(DelaunayGraph(triangulation), order);
+    const VoronoiDiagram diagram = voronoi_diagram(DelaunayGraph(triangulation), order.limit);
     constexpr double margin = 0.1;
     if (!box) box = enlarged_bounding_box(triangulation.vertices.xy, margin);
     progress.report("writing");
@@ -92,7 +92,7 @@ int run(const Arguments& arguments) {
                           counted(points.size() - distinct, "duplicate"));
     summary += fmt::format("{:<8} {}\n", "columns", text_of(table.columns));
     summary += fmt::format("{:<8} {} of order {}, {} with an area in the box\n", "cells",
-                           diagram.cell_count(), order, written);
+                           diagram.cell_count(), order.digits, written);
     summary += fmt::format("{:<8} {}\n", "written", shown(arguments.output));
     print_warnings(arguments.input.file, table);
   }

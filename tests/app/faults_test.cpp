@@ -282,7 +282,7 @@ TEST_F(Faults, RefusesNumbersThatAreNone) {
   for (const char* empty :
        {"triangulate '' -o a.ply", "triangulate points.csv -o ''", "info points.csv --json ''",
         "check mesh.ply --json ''", "triangulate points.csv -o a.ply --keep ''", "sample ''"})
-    expect_refused(empty, "without a value");
+    expect_refused(empty, "must be given a value");
 }
 
 TEST_F(Faults, RefusesNumbersOutOfRangeAsTheyWereGiven) {
