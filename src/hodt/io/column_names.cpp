@@ -286,10 +286,10 @@ std::optional<std::size_t> column_called(const std::string& name,
     return static_cast<std::size_t>(found - names.begin());
   };
   // The names can be in Latin-1, and whoever asks has seen them in UTF-8.
-  if (const auto exact = position([&](const auto& other) { return printable(other) == name; }))
+  if (const auto exact = position([&](const auto& other) { return readable(other) == name; }))
     return exact;
   const std::string lower = lower_case(name);
-  return position([&](const auto& other) { return lower_case(printable(other)) == lower; });
+  return position([&](const auto& other) { return lower_case(readable(other)) == lower; });
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -192,7 +192,7 @@ class LayoutFinder {
     layout_.warnings.push_back(
         fmt::format("no name says which column holds the heights, so there are none; if it is one "
                     "of {}, say so, as in --columns z={}",
-                    listed(candidates), printable(candidates[0])));
+                    listed(candidates), readable(candidates[0])));
   }
 
   void use_places(AxisColumns& columns) {
@@ -268,7 +268,7 @@ class LayoutFinder {
   void describe() {
     RowShape& shape = layout_.shape;
     const auto column = [&](std::size_t index) {
-      const std::string name = index < names_.size() ? printable(names_[index]) : "";
+      const std::string name = index < names_.size() ? readable(names_[index]) : "";
       return TakenColumn{index + 1, name};
     };
     for (std::size_t s = 0; s < shape.source_count; ++s) {

@@ -115,7 +115,7 @@ void mend_line_ends(InputText& input) {
   }
 }
 
-std::string printable(std::string_view text) {
+std::string readable(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
     const char32_t point = take_code_point(text);

@@ -18,7 +18,7 @@ void mend_line_ends(InputText& input);
 
 /// The text in valid UTF-8 without control characters, for messages and reports. Bytes that are no
 /// UTF-8 are taken for Latin-1.
-std::string printable(std::string_view text);
+std::string readable(std::string_view text);
 
 /// The same, short enough for a message, in quotes.
 std::string in_quotes(std::string_view text);
