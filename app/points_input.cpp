@@ -45,8 +45,8 @@ void print_warnings(const std::string& file, const PointTable& table) {
   // The line of progress, which is only on a terminal, makes way.
   const char* const clear = isatty(STDERR_FILENO) ? "\r\033[K" : "";
   for (const std::string& warning : table.warnings) {
-    std::fputs(fmt::format("{}hodt: warning: {}: {}\n", clear, display_name(file), warning).c_str(),
-               stderr);
+    const std::string text = fmt::format("hodt: warning: {}: {}", display_name(file), warning);
+    std::fputs(fmt::format("{}{}\n", clear, printable(text)).c_str(), stderr);
   }
 }
 

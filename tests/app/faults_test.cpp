@@ -199,6 +199,13 @@ TEST_F(Faults, NamesReachTerminalsAndPagesPrintable) {
     EXPECT_NE(outcome.err.find("a\\x1b[31m\\xff b<&>"), std::string::npos) << outcome.err;
   }
 
+  // A warning: x counts.
+  put(odd + ".csv", "a,b,c\n1,0,1\n2,0,2\n3,1,3\n4,5,2\n");
+  outcome = run("triangulate " + quoted + ".csv -o a.ply --columns x=1,y=2,z=3");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("hodt: warning: " + shown + ".csv: "), std::string::npos)
+      << outcome.err;
+
   ASSERT_EQ(run("compare " + quoted + " --orders 0-1 -o page.html --json page.json").exit_code, 0);
   EXPECT_TRUE(Json::accept(content_of(directory_ / "page.json")));
   const std::string page = content_of(directory_ / "page.html");
