@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -12,23 +11,17 @@
 #include <fmt/format.h>
 
 #include "hodt/tin/interpolate.h"
+#include "hodt/tin/quality.h"
 
 namespace hodt::app {
 
 namespace {
 
-/// In degrees, at a.
-double angle(const Point& a, const Point& b, const Point& c) {
-  const double cross = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
-  return std::atan2(std::fabs(cross), dot) * 180 / std::numbers::pi;
-}
-
 double smallest_angle(const Tin& tin) {
   double smallest = 180;
   for (const auto& [u, v, w] : tin.triangles) {
     const Point &a = tin.points.xy[u], &b = tin.points.xy[v], &c = tin.points.xy[w];
-    smallest = std::min({smallest, angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+    smallest = std::min({smallest, angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
   }
   return smallest;
 }

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -17,6 +16,7 @@
 #include "hodt/picture/picture.h"
 #include "hodt/pipeline.h"
 #include "hodt/terrain/terrain.h"
+#include "hodt/tin/quality.h"
 
 namespace {
 
@@ -24,13 +24,6 @@ using namespace hodt;
 
 constexpr Index kOrders[] = {0, 1, 2, 4, 8};
 constexpr Index kShownOrder = 8;
-
-/// In degrees, at corner a of the triangle a, b, c.
-double angle(const Point& a, const Point& b, const Point& c) {
-  const double cross = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  const double dot = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
-  return std::atan2(std::abs(cross), dot) * 180 / std::numbers::pi;
-}
 
 Point circumcentre(const Point& a, const Point& b, const Point& c) {
   const Point u{b.x - a.x, b.y - a.y};
@@ -54,7 +47,7 @@ double smallest_angle_inside(const Tin& tin) {
     const Point centre = circumcentre(a, b, c);
     if (centre.x < west.x || centre.x > east.x || centre.y < south.y || centre.y > north.y)
       continue;
-    smallest = std::min({smallest, angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+    smallest = std::min({smallest, angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
   }
   return smallest;
 }

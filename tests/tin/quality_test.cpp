@@ -36,6 +36,15 @@ TEST(Quality, knows_triangles_from_school) {
   }
 }
 
+TEST(Quality, angles_at_corners_are_those_of_any_size) {
+  for (const double size : {1.0, 1e-300, 1e300}) {
+    const Point a{0, 0}, b{3 * size, 0}, c{0, 4 * size};
+    EXPECT_NEAR(angle_at(a, b, c), 90, 1e-12);
+    EXPECT_NEAR(angle_at(c, b, a), 36.869897645844, 1e-9);
+    EXPECT_EQ(angle_at(b, a, c), angle_at(b, c, a));
+  }
+}
+
 TEST(Quality, a_sliver_is_told_and_clockwise_is_the_same) {
   const Quality sliver = of_one({0, 0}, {1, 0}, {0.5, 1e-9});
   EXPECT_LT(sliver.smallest_angle.min, 1e-6);

@@ -91,6 +91,11 @@ void count_in_bin(std::array<std::size_t, bins>& counts, double above) {
 
 }  // namespace
 
+double angle_at(const Point& a, const Point& b, const Point& c) {
+  const double unit = std::max({half_distance(a, b), half_distance(b, c), half_distance(c, a)});
+  return Corner(a, b, c, unit).angle();
+}
+
 Quality quality_of(std::span<const Point> points, std::span<const std::array<Index, 3>> triangles) {
   Quality quality;
   if (triangles.empty()) return quality;

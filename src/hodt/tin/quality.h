@@ -34,6 +34,9 @@ struct Quality {
   std::array<std::size_t, 12> largest_angles{};
 };
 
+/// In degrees, at the corner a of the triangle abc, whatever its size and direction.
+double angle_at(const Point& a, const Point& b, const Point& c);
+
 /// Of triangles given in any direction, each with an inside. All is 0 if there is none. The same
 /// bits on any number of threads.
 Quality quality_of(std::span<const Point> points, std::span<const std::array<Index, 3>> triangles);
