@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hodt/base/buffer.h"
+#include "hodt/base/utf8.h"
 
 namespace hodt {
 
@@ -60,34 +61,6 @@ void decode_utf16(InputText& input, bool little_endian) {
   input.bytes = Buffer<char>(text.size() + InputText::kPadding);
   input.size = text.size();
   std::memcpy(input.bytes.data(), text.data(), text.size());
-}
-
-/// How many bytes a UTF-8 sequence has that starts with this one; 0 if none does.
-std::size_t sequence_length(unsigned char lead) {
-  if (lead < 0x80) return 1;
-  if (0xC2 <= lead && lead < 0xE0) return 2;
-  if (0xE0 <= lead && lead < 0xF0) return 3;
-  if (0xF0 <= lead && lead < 0xF5) return 4;
-  return 0;
-}
-
-/// The code point of exactly this sequence, or no valid one.
-char32_t code_point_of(std::string_view sequence) {
-  constexpr char32_t invalid = 0xFFFFFFFF;
-  const std::size_t length = sequence.size();
-  char32_t point =
-      static_cast<unsigned char>(sequence[0]) & (length == 1 ? 0x7F : 0xFF >> (length + 1));
-  for (const char c : sequence.substr(1)) {
-    if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) return invalid;
-    point = point << 6 | (static_cast<unsigned char>(c) & 0x3F);
-  }
-  constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = 0xD800 <= point && point < 0xE000;
-  return point < least[length] || point > 0x10FFFF || surrogate ? invalid : point;
-}
-
-constexpr bool is_control(char32_t point) {
-  return point < 0x20 || (0x7F <= point && point < 0xA0);
 }
 
 }  // namespace
@@ -152,18 +125,10 @@ void append_utf8(std::string& text, char32_t point) {
 }
 
 char32_t take_code_point(std::string_view& text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = sequence_length(lead);
-  char32_t point = lead;
-  std::size_t taken = 1;
-  if (length > 0 && length <= text.size()) {
-    const char32_t decoded = code_point_of(text.substr(0, length));
-    if (decoded <= 0x10FFFF) {
-      point = decoded;
-      taken = length;
-    }
-  }
-  text.remove_prefix(taken);
+  const Utf8Character character = first_character(text);
+  const bool is_utf8 = character.size > 0;
+  const char32_t point = is_utf8 ? character.code : static_cast<unsigned char>(text[0]);
+  text.remove_prefix(is_utf8 ? character.size : 1);
   return point;
 }
 
