@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 namespace hodt {
 
@@ -27,6 +28,23 @@ struct Box {
 inline Box joined(const Box& a, const Box& b) {
   return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+/// The least box that contains all the points. REQUIRES one.
+inline Box box_of(std::span<const Point> points) {
+  Box box{points[0], points[0]};
+  for (const Point& p : points) box = joined(box, {p, p});
+  return box;
+}
+
+/// Whether they have a point in common.
+inline bool meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// Whether all of b is in a.
+inline bool contains(const Box& a, const Box& b) {
+  return a.low.x <= b.low.x && b.high.x <= a.high.x && a.low.y <= b.low.y && b.high.y <= a.high.y;
 }
 
 }  // namespace hodt

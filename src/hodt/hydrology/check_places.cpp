@@ -12,12 +12,6 @@ namespace hodt {
 
 namespace {
 
-Box box_of(std::span<const Point> points) {
-  Box box{points[0], points[0]};
-  for (const Point& p : points) box = joined(box, {p, p});
-  return box;
-}
-
 bool is_finite(const Point& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
@@ -58,9 +52,7 @@ class Checker {
     for (const auto& ring : rings)
       if (!std::all_of(ring.begin(), ring.end(), is_finite))
         throw InputError(fmt::format("{} has a coordinate that is no number", name));
-    const Box outline = box_of(rings[0]);
-    if (outline.high.x < box_.low.x || box_.high.x < outline.low.x || outline.high.y < box_.low.y ||
-        box_.high.y < outline.low.y)
+    if (!meet(box_of(rings[0]), box_))
       refuse(fmt::format("{}, a polygon at {}, {}, lies outside the points", name, rings[0][0].x,
                          rings[0][0].y));
   }

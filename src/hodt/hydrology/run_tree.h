@@ -13,14 +13,6 @@
 
 namespace hodt {
 
-inline bool meet(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
-inline bool contains(const Box& a, const Box& b) {
-  return a.low.x <= b.low.x && b.high.x <= a.high.x && a.low.y <= b.low.y && b.high.y <= a.high.y;
-}
-
 /// A tree over points: a node is a run of points, and its children are the halves of the run.
 class RunTree {
  public:
@@ -62,12 +54,6 @@ class RunTree {
   }
 
  private:
-  static Box box_of(std::span<const Point> points) {
-    Box box{points[0], points[0]};
-    for (const Point& p : points) box = joined(box, {p, p});
-    return box;
-  }
-
   std::span<const Point> points_;
   std::vector<std::vector<Box>> levels_;  // of runs, of pairs of runs, ..., of all
 };
