@@ -1,6 +1,7 @@
 // Point sets to time on: the same on every run.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -116,6 +117,144 @@ inline std::vector<hodt::Point> star(std::size_t n) {
     points[i] = {radius * std::cos(a), radius * std::sin(a)};
   }
   return points;
+}
+
+/// On the curve y = x².
+inline std::vector<hodt::Point> parabola(std::size_t n) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> side(-1, 1);
+  std::vector<hodt::Point> points(n);
+  for (hodt::Point& p : points) {
+    const double x = side(random);
+    p = {x, x * x};
+  }
+  return points;
+}
+
+/// Along a spiral of ten turns, whatever n is.
+inline std::vector<hodt::Point> spiral(std::size_t n) {
+  std::vector<hodt::Point> points(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double part = double(i + 1) / double(n), a = 10 * 6.283185307179586 * part;
+    points[i] = {part * std::cos(a), part * std::sin(a)};
+  }
+  return points;
+}
+
+/// On two parallel lines, one as long as they are apart.
+inline std::vector<hodt::Point> two_lines(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  for (std::size_t i = 0; i < n; ++i) points[i].y = double(i % 2);
+  return points;
+}
+
+/// On two lines that cross.
+inline std::vector<hodt::Point> cross(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double along = 2 * points[i].x - 1;
+    points[i] = i % 2 ? hodt::Point{along, 0} : hodt::Point{0, along};
+  }
+  return points;
+}
+
+/// On a quarter of a circle, off it by one part in a thousand, with its centre.
+inline std::vector<hodt::Point> fan(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  for (hodt::Point& p : points) {
+    const double a = 1.5707963267948966 * p.x, radius = 1 + 0.001 * p.y;
+    p = {radius * std::cos(a), radius * std::sin(a)};
+  }
+  points[0] = {0, 0};
+  return points;
+}
+
+/// Near a line, with a hub on either side.
+inline std::vector<hodt::Point> two_hubs(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  for (hodt::Point& p : points) p = {p.x - 0.5, 1e-9 * p.y};
+  points[0] = {0, 1e3};
+  points[1] = {0, -1e3};
+  return points;
+}
+
+/// Stars of √n points side by side, each with its hub.
+inline std::vector<hodt::Point> stars(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  const auto width = static_cast<std::size_t>(std::sqrt(double(n))), row = width / 10 + 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t s = i / width;
+    const double a = 6.283185307179586 * points[i].x;
+    const double radius = i % width == 0 ? 0 : 1 + 0.001 * points[i].y;
+    points[i] = {3 * double(s % row) + radius * std::cos(a),
+                 3 * double(s / row) + radius * std::sin(a)};
+  }
+  return points;
+}
+
+/// Rounded corners of regular polygons around one centre, √n of them.
+inline std::vector<hodt::Point> target(std::size_t n) {
+  const auto rings = static_cast<std::size_t>(std::sqrt(double(n)));
+  std::vector<hodt::Point> points(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double radius = 1 + double(i % rings) / double(rings);
+    const double a = 6.283185307179586 * double(i / rings) / double(n / rings + 1);
+    points[i] = {radius * std::cos(a), radius * std::sin(a)};
+  }
+  return points;
+}
+
+/// Along wavy contour lines, as far from each other as a hundred points of one.
+inline std::vector<hodt::Point> contours(std::size_t n) {
+  const double side = std::sqrt(double(n) / 100), step = 0.01;
+  const auto a_line = static_cast<std::size_t>(side / step) + 1;
+  std::vector<hodt::Point> points(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = step * double(i % a_line);
+    points[i] = {x, double(i / a_line) + 0.3 * std::sin(2 * x)};
+  }
+  return points;
+}
+
+/// Uniform, but far wider than high.
+inline std::vector<hodt::Point> flat(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  for (hodt::Point& p : points) p.y *= 1e-6;
+  return points;
+}
+
+/// Uniform, at the ends of what doubles can tell.
+inline std::vector<hodt::Point> stretched(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  for (hodt::Point& p : points) p = {1e150 * p.x, 1e-150 * p.y};
+  return points;
+}
+
+/// Ever closer to one point, by powers: half of them in the inner half of what is left.
+inline std::vector<hodt::Point> funnel(std::size_t n) {
+  std::vector<hodt::Point> points = uniform(n);
+  for (hodt::Point& p : points) {
+    const double a = 6.283185307179586 * p.x, radius = std::exp(-40 * p.y);
+    p = {radius * std::cos(a), radius * std::sin(a)};
+  }
+  return points;
+}
+
+/// Hills, and some noise, which makes false pits.
+inline std::vector<double> heights(const std::vector<hodt::Point>& points) {
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  hodt::Point low = points.front(), high = low;
+  for (const hodt::Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  std::vector<double> z;
+  for (const hodt::Point& p : points)
+    z.push_back(100 * std::sin(7 * (p.x - low.x) / (high.x - low.x)) *
+                    std::cos(9 * (p.y - low.y) / (high.y - low.y)) +
+                normal(random));
+  return z;
 }
 
 }  // namespace point_sets
