@@ -67,8 +67,8 @@ TEST_P(Predicates, OrientIsExactInEveryStage) {
     SCOPED_TRACE(testing::PrintToString(q));
     const int truth = exact_oracle::orient(a, b, c);
     const Filtered f = exact::orient_rounded(a, b, c);
-    for (const int sign :
-         {filter_sign(f), exact::orient_lattice(f, a, b, c), exact::orient_fixed(a, b, c)})
+    for (const int sign : {filter_sign(f), exact::orient_lattice(f, a, b, c),
+                           exact::orient_fixed(a, b, c), exact::orient_long(a, b, c)})
       if (sign != kUndecided) {
         ASSERT_EQ(sign, truth);
       }
@@ -95,8 +95,8 @@ TEST_P(Predicates, InCirclePlainIsExactInEveryStage) {
     if (exact::is_rectangle(a, b, c, d)) {
       ASSERT_EQ(truth, 0);
     }
-    for (const int sign :
-         {exact::in_circle_lattice(f, a, b, c, d), exact::in_circle_fixed(a, b, c, d)})
+    for (const int sign : {exact::in_circle_lattice(f, a, b, c, d),
+                           exact::in_circle_fixed(a, b, c, d), exact::in_circle_long(a, b, c, d)})
       if (sign != kUndecided) {
         ASSERT_EQ(sign, truth);
       }
@@ -145,13 +145,14 @@ TEST_P(Predicates, BoundsHold) {
 
 // ---- Which stage decides ----
 
-enum class Stage { kFilter, kRectangle, kLattice, kFixed, kBig };
+enum class Stage { kFilter, kRectangle, kLattice, kFixed, kLong, kBig };
 
 Stage orient_stage(const Point& a, const Point& b, const Point& c) {
   const Filtered f = exact::orient_rounded(a, b, c);
   if (f.certain()) return Stage::kFilter;
   if (exact::orient_lattice(f, a, b, c) != kUndecided) return Stage::kLattice;
   if (exact::orient_fixed(a, b, c) != kUndecided) return Stage::kFixed;
+  if (exact::orient_long(a, b, c) != kUndecided) return Stage::kLong;
   return Stage::kBig;
 }
 
@@ -161,6 +162,7 @@ Stage in_circle_stage(const Point& a, const Point& b, const Point& c, const Poin
   if (exact::is_rectangle(a, b, c, d)) return Stage::kRectangle;
   if (exact::in_circle_lattice(f, a, b, c, d) != kUndecided) return Stage::kLattice;
   if (exact::in_circle_fixed(a, b, c, d) != kUndecided) return Stage::kFixed;
+  if (exact::in_circle_long(a, b, c, d) != kUndecided) return Stage::kLong;
   return Stage::kBig;
 }
 
@@ -196,8 +198,25 @@ TEST(Stages, FixedWidthDecidesWideTiesAndLastBits) {
   EXPECT_EQ(share(quads::nudged_ring, Stage::kBig), 0);
 }
 
-TEST(Stages, BigDecidesWhatSpansMoreBits) {
-  EXPECT_GE(share(quads::any_bits, Stage::kBig), 0.9);
+/// Whether long doubles are wider here: if not, their stage decides nothing.
+bool has_long_stage() {
+  return exact::orient_long({0, 0}, {1, 0}, {0, 1}) == 1;
+}
+
+Quad far_wider_than_high(Random& random) {
+  Quad quad = quads::random_square(random);
+  for (Point& p : quad) p = {1e150 * p.x, 1e-150 * p.y};
+  return quad;
+}
+
+// Points x · 1e150, y · 1e-150 took big integers for every question, 1.4 ms a point for edges.
+TEST(Stages, LongDoublesDecideWhatSpansMoreBits) {
+  if (!has_long_stage()) GTEST_SKIP();
+  EXPECT_GE(share(quads::any_bits, Stage::kLong), 0.9);
+  EXPECT_GE(share(far_wider_than_high, Stage::kLong), 0.999);
+}
+
+TEST(Stages, BigDecidesTiesThatSpanMoreBits) {
   EXPECT_GE(share(quads::huge_ring, Stage::kBig), 0.9);
 }
 

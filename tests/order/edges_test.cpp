@@ -213,7 +213,7 @@ TEST_P(EdgeFamilies, useful_order_of_any_two_vertices) {
 std::set<oracle::Edge> crossed_edges(const DelaunayGraph& graph, VertexId u, VertexId v) {
   std::set<oracle::Edge> crossed;
   TriangleId entered;
-  for_each_crossed(graph.mesh, graph.xy, graph.outgoing[u], u, v, [&](HalfEdgeId h) {
+  for_each_crossed(graph.mesh, graph.xy, graph.outgoing, u, v, [&](HalfEdgeId h) {
     EXPECT_TRUE(!entered.valid() || TriangleMesh::triangle(h) == entered);
     entered = TriangleMesh::triangle(graph.mesh.twin(h));
     crossed.insert({int(graph.mesh.origin(h)), int(graph.mesh.target(h))});

@@ -326,7 +326,7 @@ TEST(FixedEdges, are_those_that_no_segment_walk_crosses) {
       Buffer<bool> expected(graph.mesh.halfedge_count(), true);
       for (Index u = 0; u < points.size(); ++u)
         for (const UsefulEdge& e : search.from(VertexId(u), k, [&](VertexId v) { return u < v; }))
-          for_each_crossed(graph.mesh, graph.xy, graph.outgoing[u], VertexId(u), e.to,
+          for_each_crossed(graph.mesh, graph.xy, graph.outgoing, VertexId(u), e.to,
                            [&](HalfEdgeId h) {
                              expected[h] = false;
                              expected[graph.mesh.twin(h)] = false;

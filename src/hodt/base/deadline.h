@@ -3,8 +3,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 namespace hodt {
+
+/// What a search ends with whose result is of no use unless it is complete. Whoever set the
+/// deadline catches it, and says what is known without that search.
+class TimeIsUp : public std::exception {
+ public:
+  const char* what() const noexcept override { return "the deadline has passed"; }
+};
 
 class Deadline {
  public:
@@ -14,11 +22,20 @@ class Deadline {
   explicit Deadline(double seconds) {
     if (seconds <= 0 || seconds > kLongest) return;
     limited_ = true;
-    at_ = Clock::now() +
-          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    at_ = Clock::now() + as_duration(seconds);
   }
   bool passed() const { return limited_ && Clock::now() >= at_; }
+  /// Throws TimeIsUp if passed.
+  void check() const {
+    if (passed()) throw TimeIsUp();
+  }
   bool is_limited() const { return limited_; }
+  /// So many seconds later.
+  Deadline later(double seconds) const {
+    Deadline deadline = *this;
+    if (limited_) deadline.at_ += as_duration(seconds);
+    return deadline;
+  }
   /// 0 if passed. REQUIRES is_limited().
   double seconds_left() const {
     return std::max(0.0, std::chrono::duration<double>(at_ - Clock::now()).count());
@@ -27,6 +44,9 @@ class Deadline {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr double kLongest = 1e9;
+  static Clock::duration as_duration(double seconds) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  }
 
   bool limited_ = false;
   Clock::time_point at_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
 
 namespace hodt {
@@ -14,8 +15,10 @@ namespace hodt {
 class Lists {
  public:
   Lists() = default;
-  /// `count` lists from pairs (list, item): each ascending, without repetitions.
-  Lists(std::size_t count, const std::vector<std::pair<Index, Index>>& pairs)
+  /// `count` lists from pairs (list, item): each ascending, without repetitions. Throws TimeIsUp if
+  /// the deadline passes.
+  Lists(std::size_t count, const std::vector<std::pair<Index, Index>>& pairs,
+        const Deadline& deadline = {})
       : first_(count + 1, 0), items_(pairs.size()) {
     for (const auto& [list, item] : pairs) ++first_[list + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -24,6 +27,7 @@ class Lists {
     // Each list in order, and moved up to where the one before ends.
     std::size_t end = 0;
     for (std::size_t i = 0; i < count; ++i) {
+      deadline.check();
       const auto begin = items_.begin() + std::ptrdiff_t(first_[i]);
       const auto last = items_.begin() + std::ptrdiff_t(first_[i + 1]);
       std::sort(begin, last);

@@ -1,4 +1,4 @@
-// Stage 4: integers of any width. The same integers tell how large a cross product is.
+// Stage 5: integers of any width. The same integers tell how large a cross product is.
 #include <algorithm>
 #include <bit>
 #include <cstdint>

@@ -147,12 +147,19 @@ int in_circle_lattice(Filtered f, const Point& a, const Point& b, const Point& c
 int orient_fixed(const Point& a, const Point& b, const Point& c);
 int in_circle_fixed(const Point& a, const Point& b, const Point& c, const Point& d);
 
-// ---- Stage 4: integers of any width. Always decides. ----
+// ---- Stage 4: floating point of far more range, with a tighter bound. ----
+
+/// The sign, if rounding leaves no doubt; for what has too wide a range for stage 3. Decides
+/// nothing where a long double is no wider than a double.
+int orient_long(const Point& a, const Point& b, const Point& c);
+int in_circle_long(const Point& a, const Point& b, const Point& c, const Point& d);
+
+// ---- Stage 5: integers of any width. Always decides. ----
 
 int orient_big(const Point& a, const Point& b, const Point& c);
 int in_circle_big(const Point& a, const Point& b, const Point& c, const Point& d);
 
-// ---- Stages 2 to 4 in turn, for what the filter left, and the perturbation. ----
+// ---- Stages 2 to 5 in turn, for what the filter left, and the perturbation. ----
 // f is as in stage 2.
 
 int orient_after_filter(Filtered f, const Point& a, const Point& b, const Point& c);

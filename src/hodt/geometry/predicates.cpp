@@ -6,6 +6,7 @@ namespace hodt::exact {
 int orient_after_filter(Filtered f, const Point& a, const Point& b, const Point& c) {
   if (const int sign = orient_lattice(f, a, b, c); sign != kUndecided) return sign;
   if (const int sign = orient_fixed(a, b, c); sign != kUndecided) return sign;
+  if (const int sign = orient_long(a, b, c); sign != kUndecided) return sign;
   return orient_big(a, b, c);
 }
 
@@ -16,6 +17,7 @@ int in_circle_plain_not_rectangle(Filtered f, const Point& a, const Point& b, co
                                   const Point& d) {
   if (const int sign = in_circle_lattice(f, a, b, c, d); sign != kUndecided) return sign;
   if (const int sign = in_circle_fixed(a, b, c, d); sign != kUndecided) return sign;
+  if (const int sign = in_circle_long(a, b, c, d); sign != kUndecided) return sign;
   return in_circle_big(a, b, c, d);
 }
 

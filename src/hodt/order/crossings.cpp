@@ -1,6 +1,8 @@
 #include "hodt/order/crossings.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,17 +14,33 @@ namespace hodt {
 
 namespace {
 
-/// Calls f for the triangles on both sides of the Delaunay edge uv; false if there is none.
+/// Calls f for the triangles at u that are beside the edge uv; returns whether there are any, or
+/// nothing if u has more than `most` triangles.
+template <class F>
+std::optional<bool> for_each_beside_at(const DelaunayGraph& graph, VertexId u, VertexId v,
+                                       Index most, const F& f) {
+  const TriangleMesh& mesh = graph.mesh;
+  std::array<TriangleId, 2> found;
+  std::size_t count = 0;
+  const HalfEdgeId start = graph.outgoing[u];
+  HalfEdgeId h = start;
+  do {
+    if (most-- == 0) return std::nullopt;
+    if (mesh.target(h) == v || mesh.apex(h) == v) found[count++] = TriangleMesh::triangle(h);
+    h = mesh.rotate_ccw(h);
+  } while (h.valid() && h != start);
+  for (std::size_t i = 0; i < count; ++i) f(found[i]);
+  return count > 0;
+}
+
+/// Calls f for the triangles on both sides of the Delaunay edge uv; false if there is none. Asks
+/// the end that is no hub.
 template <class F>
 bool for_each_beside(const DelaunayGraph& graph, const PlainEdge& edge, const F& f) {
-  const TriangleMesh& mesh = graph.mesh;
-  bool found = false;
-  for_each_outgoing(mesh, graph.outgoing[edge.u], [&](HalfEdgeId h) {
-    if (mesh.target(h) != edge.v && mesh.apex(h) != edge.v) return;
-    f(TriangleMesh::triangle(h));
-    found = true;
-  });
-  return found;
+  constexpr Index kMany = 128;
+  if (const auto known = for_each_beside_at(graph, edge.u, edge.v, kMany, f)) return *known;
+  if (const auto known = for_each_beside_at(graph, edge.v, edge.u, kMany, f)) return *known;
+  return *for_each_beside_at(graph, edge.u, edge.v, kNone, f);
 }
 
 /// Calls f for the triangles that the edge passes through, or that it is a side of. Two edges that
@@ -30,12 +48,12 @@ bool for_each_beside(const DelaunayGraph& graph, const PlainEdge& edge, const F&
 template <class F>
 void for_each_passed(const DelaunayGraph& graph, const PlainEdge& edge, const F& f) {
   if (for_each_beside(graph, edge, f)) return;
-  VertexId last;
-  for_each_crossed(graph.mesh, graph.xy, graph.outgoing[edge.u], edge.u, edge.v, [&](HalfEdgeId h) {
+  HalfEdgeId last;
+  for_each_crossed(graph.mesh, graph.xy, graph.outgoing.all(), edge.u, edge.v, [&](HalfEdgeId h) {
     f(TriangleMesh::triangle(h));
-    last = VertexId(graph.mesh.twin(h));
+    last = graph.mesh.twin(h);
   });
-  f(TriangleMesh::triangle(HalfEdgeId(last)));
+  f(TriangleMesh::triangle(last));
 }
 
 bool are_apart(const Point& a, const Point& b, const Point& p, const Point& q) {
@@ -51,35 +69,37 @@ bool cross(const DelaunayGraph& graph, const PlainEdge& e, const PlainEdge& f) {
 
 }  // namespace
 
-Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges) {
+Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
+                const Deadline& deadline) {
   using Pair = std::pair<Index, Index>;
   std::vector<Pair> passed = parallel_collect<Pair>(
       0, edges.size(), 1 << 10, [&](std::size_t first, std::size_t last, std::vector<Pair>& found) {
-        for (std::size_t i = first; i < last; ++i)
+        for (std::size_t i = first; i < last; ++i) {
+          deadline.check();
           for_each_passed(graph, edges[i], [&](TriangleId t) { found.emplace_back(Index(i), t); });
+        }
       });
-  const Lists triangles(edges.size(), passed);
+  const Lists triangles(edges.size(), passed, deadline);
   for (auto& [edge, triangle] : passed) std::swap(edge, triangle);
-  const Lists through(graph.mesh.triangle_count(), passed);
+  const Lists through(graph.mesh.triangle_count(), passed, deadline);
 
   // Long edges meet in many triangles; each pair is asked about once.
   PerThread<Buffer<Index>> asked([&] { return Buffer<Index>(edges.size(), kNone); });
-  return Lists(edges.size(), parallel_collect<Pair>(0, edges.size(), 1 << 8,
-                                                    [&](std::size_t first, std::size_t last,
-                                                        std::vector<Pair>& found) {
-                                                      Buffer<Index>& asked_by = asked.mine();
-                                                      for (Index i = Index(first); i < last; ++i)
-                                                        for (const Index t : triangles[i])
-                                                          for (const Index j : through[t]) {
-                                                            if (j <= i || asked_by[j] == i)
-                                                              continue;
-                                                            asked_by[j] = i;
-                                                            if (!cross(graph, edges[i], edges[j]))
-                                                              continue;
-                                                            found.emplace_back(i, j);
-                                                            found.emplace_back(j, i);
-                                                          }
-                                                    }));
+  const auto find = [&](std::size_t first, std::size_t last, std::vector<Pair>& found) {
+    Buffer<Index>& asked_by = asked.mine();
+    for (Index i = Index(first); i < last; ++i)
+      for (const Index t : triangles[i]) {
+        deadline.check();
+        for (const Index j : through[t]) {
+          if (j <= i || asked_by[j] == i) continue;
+          asked_by[j] = i;
+          if (!cross(graph, edges[i], edges[j])) continue;
+          found.emplace_back(i, j);
+          found.emplace_back(j, i);
+        }
+      }
+  };
+  return Lists(edges.size(), parallel_collect<Pair>(0, edges.size(), 1 << 8, find), deadline);
 }
 
 }  // namespace hodt

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/lists.h"
 #include "hodt/order/delaunay_graph.h"
 
@@ -15,7 +16,8 @@ struct PlainEdge {
 
 /// For every edge the others that it crosses: that have a point in common with it which is an end
 /// of neither. Costs the Delaunay triangles that each passes through, and the pairs that meet in
-/// one.
-Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges);
+/// one. Throws TimeIsUp if the deadline passes.
+Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
+                const Deadline& deadline = {});
 
 }  // namespace hodt

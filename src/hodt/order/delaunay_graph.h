@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/geometry/circle.h"
@@ -75,6 +76,7 @@ class DelaunayGraph {
   }
 
   bool has_edge(VertexId u, VertexId v) const {
+    if (has_hubs() && lists_.size(v) < lists_.size(u)) std::swap(u, v);
     bool found = false;
     for_each_neighbour(u, [&](VertexId w) { found |= w == v; });
     return found;

@@ -124,11 +124,11 @@ class EdgesAt {
 using Sink = std::function<void(std::span<const EdgeRecord>)>;
 
 void stream(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering* numbering,
-            const Sink& sink) {
+            const Sink& sink, const Deadline& deadline) {
   const bool asks_fixed =
       edge_class == EdgeClass::fixed || (edge_class == EdgeClass::useful && k == 1);
-  const Buffer<bool> fixed = asks_fixed ? fixed_edges(graph, k) : Buffer<bool>();
-  UsefulEdgeSearches searches(graph, k);
+  const Buffer<bool> fixed = asks_fixed ? fixed_edges(graph, k, deadline) : Buffer<bool>();
+  UsefulEdgeSearches searches(graph, k, deadline);
   constexpr std::size_t kBatch = 1 << 15, kPiece = 1 << 9;
   const auto add = [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {
     EdgesAt edges(graph, edge_class, k, numbering, fixed, searches.mine());
@@ -140,13 +140,14 @@ void stream(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Num
 
 }  // namespace
 
-void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Sink& sink) {
-  stream(graph, edge_class, k, nullptr, sink);
+void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Sink& sink,
+                   const Deadline& deadline) {
+  stream(graph, edge_class, k, nullptr, sink, deadline);
 }
 
 void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
                    const Numbering& numbering, const Sink& sink) {
-  stream(graph, edge_class, k, &numbering, sink);
+  stream(graph, edge_class, k, &numbering, sink, {});
 }
 
 }  // namespace hodt

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/numbering.h"
 
@@ -28,9 +29,10 @@ struct EdgeRecord {
 /// empty. Vertices go by their ids, u is lexicographically smaller than v, and the edges come
 /// sorted by u and then v. Memory does not grow with their number (but for `fixed`: a byte a
 /// half-edge). The same pieces on any number of threads. Of a graph with listed neighbours it is
-/// faster.
+/// faster. Throws TimeIsUp if the deadline passes.
 void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
-                   const std::function<void(std::span<const EdgeRecord>)>& sink);
+                   const std::function<void(std::span<const EdgeRecord>)>& sink,
+                   const Deadline& deadline = {});
 
 /// The same with vertices by their numbers, u < v, sorted by these. Useful edges take longer, as
 /// they are found from both ends.

@@ -22,7 +22,7 @@ Buffer<bool> fixed_at_first_order(const DelaunayGraph& graph) {
 
 }  // namespace
 
-Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k) {
+Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k, const Deadline& deadline) {
   if (k == 1) return fixed_at_first_order(graph);
   const TriangleMesh& mesh = graph.mesh;
   Buffer<bool> fixed(mesh.halfedge_count(), true);
@@ -30,16 +30,18 @@ Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k) {
   const auto cross = [&](HalfEdgeId h) {
     std::atomic_ref<bool>(fixed[h]).store(false, std::memory_order_relaxed);
   };
-  UsefulEdgeSearches searches(graph, k);
+  UsefulEdgeSearches searches(graph, k, deadline);
   parallel_for(0, graph.xy.size(), 1 << 9, [&](std::size_t first, std::size_t last) {
     UsefulEdgeSearch& search = searches.mine();
     for (std::size_t i = first; i < last; ++i) {
       const VertexId u{Index(i)};
-      for (const UsefulEdge& edge : search.to_larger(u, k))
-        for_each_crossed(mesh, graph.xy, graph.outgoing[u], u, edge.to, [&](HalfEdgeId h) {
+      for (const UsefulEdge& edge : search.to_larger(u, k)) {
+        deadline.check();
+        for_each_crossed(mesh, graph.xy, graph.outgoing.all(), u, edge.to, [&](HalfEdgeId h) {
           cross(h);
           cross(mesh.twin(h));
         });
+      }
     }
   });
   return fixed;

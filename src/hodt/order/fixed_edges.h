@@ -5,13 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
 
 /// Of every half-edge of the Delaunay triangulation whether its edge is fixed: no useful edge of
 /// order k or less crosses it. (An edge that is not Delaunay crosses one, and is never fixed.)
-Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k);
+/// Throws TimeIsUp if the deadline passes.
+Buffer<bool> fixed_edges(const DelaunayGraph& graph, Index k, const Deadline& deadline = {});
 
 /// The faces that the fixed edges cut the plane into, inside the hull. Each can be triangulated by
 /// itself. A face is a union of Delaunay triangles; where it is more than one, its boundary is an

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "hodt/geometry/predicates.h"
 #include "hodt/mesh/triangle_mesh.h"
@@ -11,16 +12,18 @@ namespace hodt {
 /// The edge through which the segment leaves the triangles around `from`, as seen from there: its
 /// origin on the right, its target on the left. `outgoing` leaves `from` (see outgoing_halfedges).
 /// REQUIRES that from and to are not joined by an edge, and that no vertex lies between them.
+/// kNone if that is beyond the first `most` triangles that are looked at.
 inline HalfEdgeId first_crossed(const TriangleMesh& mesh, std::span<const Point> xy,
-                                HalfEdgeId outgoing, VertexId from, VertexId to) {
+                                HalfEdgeId outgoing, VertexId from, VertexId to,
+                                Index most = kNone) {
   const Point &a = xy[from], &b = xy[to];
-  HalfEdgeId found;
-  for_each_outgoing(mesh, outgoing, [&](HalfEdgeId h) {
-    if (found.valid()) return;
+  HalfEdgeId h = outgoing;
+  do {
     if (orient(a, xy[mesh.target(h)], b) > 0 && orient(a, b, xy[mesh.apex(h)]) > 0)
-      found = TriangleMesh::next(h);
-  });
-  return found;
+      return TriangleMesh::next(h);
+    h = mesh.rotate_ccw(h);
+  } while (h.valid() && h != outgoing && --most > 0);
+  return {};
 }
 
 /// The edge through which the segment leaves the triangle beyond a crossed edge; kNone at the end.
@@ -33,13 +36,22 @@ inline HalfEdgeId next_crossed(const TriangleMesh& mesh, std::span<const Point> 
   return w_is_left ? TriangleMesh::next(across) : TriangleMesh::prev(across);
 }
 
-/// Calls f(h) for every crossed edge, in order along the segment.
-template <class F>
-void for_each_crossed(const TriangleMesh& mesh, std::span<const Point> xy, HalfEdgeId outgoing,
+/// Calls f(h) for every crossed edge, in order along the segment: from the one end, or from the
+/// other if the first has very many neighbours, of which each would be looked at for each of its
+/// edges. `outgoing[v]` leaves v.
+template <class Outgoing, class F>
+void for_each_crossed(const TriangleMesh& mesh, std::span<const Point> xy, const Outgoing& outgoing,
                       VertexId from, VertexId to, const F& f) {
-  for (HalfEdgeId h = first_crossed(mesh, xy, outgoing, from, to); h.valid();
-       h = next_crossed(mesh, xy, h, from, to))
-    f(h);
+  constexpr Index kMany = 128;
+  HalfEdgeId h = first_crossed(mesh, xy, outgoing[from], from, to, kMany);
+  if (!h.valid()) {
+    h = first_crossed(mesh, xy, outgoing[to], to, from, kMany);
+    if (h.valid())
+      std::swap(from, to);
+    else
+      h = first_crossed(mesh, xy, outgoing[from], from, to);
+  }
+  for (; h.valid(); h = next_crossed(mesh, xy, h, from, to)) f(h);
 }
 
 }  // namespace hodt

@@ -31,9 +31,10 @@ void stream(std::size_t n, const Sink& sink, const F& f) {
 
 /// k-OD triangles: from each vertex, those with the edges to its k-OD neighbours.
 void for_each_kod_triangle(const DelaunayGraph& graph, Index k, const Numbering& numbering,
-                           const Sink& sink) {
+                           const Sink& sink, const Deadline& deadline) {
   PerThread<Neighbourhood> neighbourhoods([&] { return Neighbourhood(graph); });
   const auto add = [&](VertexId u, std::vector<TriangleRecord>& records) {
+    deadline.check();
     Neighbourhood& around = neighbourhoods.mine();
     const std::size_t before = records.size();
     const auto number = [&](Index i) { return numbering.number[around.vertex(i)]; };
@@ -69,12 +70,13 @@ struct UsefulLists {
 
 /// Lists by a vertex's place among the numbers; each list sorted.
 UsefulLists useful_lists(const DelaunayGraph& graph, Index k, const Numbering& numbering,
-                         const std::vector<Index>& place_of_number) {
+                         const std::vector<Index>& place_of_number, const Deadline& deadline) {
   std::vector<EdgeRecord> edges;
-  for_each_edge(graph, EdgeClass::useful, k, [&](std::span<const EdgeRecord> piece) {
+  const auto add = [&](std::span<const EdgeRecord> piece) {
     for (const auto& [u, v, order] : piece)
       edges.push_back({numbering.number[VertexId(u)], numbering.number[VertexId(v)], order});
-  });
+  };
+  for_each_edge(graph, EdgeClass::useful, k, add, deadline);
   UsefulLists lists;
   lists.first.assign(graph.xy.size() + 1, 0);
   for (const EdgeRecord& e : edges) {
@@ -98,33 +100,66 @@ UsefulLists useful_lists(const DelaunayGraph& graph, Index k, const Numbering& n
 /// Valid triangles: three useful edges, and of what their circle holds nothing in the triangle.
 class ValidTriangles {
  public:
-  ValidTriangles(const DelaunayGraph& graph, Index k, const Numbering& numbering)
-      : graph_(graph), k_(k), numbering_(numbering), place_of_number_(places(numbering)) {
-    lists_ = useful_lists(graph, k, numbering, place_of_number_);
-  }
+  ValidTriangles(const DelaunayGraph& graph, Index k, const Numbering& numbering,
+                 const Deadline& deadline)
+      : graph_(graph),
+        k_(k),
+        numbering_(numbering),
+        deadline_(deadline),
+        place_of_number_(places(numbering)),
+        lists_(useful_lists(graph, k, numbering, place_of_number_, deadline)) {}
 
   void add(CircleCounter& counter, std::size_t place, std::vector<TriangleRecord>& records) const {
     const VertexId u = numbering_.ascending[place];
     const Index a = numbering_.number[u];
     const auto from_u = lists_.of(Index(place));
-    for (const auto& [b, order_ab] : from_u) {
-      if (b < a) continue;
-      // The third corners: in both lists, above b.
-      auto x = from_u.begin();
-      for (const auto& [c, order_bc] : lists_.of(place_of_number_[b])) {
-        if (c < b) continue;
-        while (x != from_u.end() && x->to < c) ++x;
-        if (x == from_u.end()) break;
-        if (x->to != c) continue;
-        const VertexId v = vertex(b), w = vertex(c);
-        const Index inside = order_if_empty(counter, u, v, w);
-        if (inside <= k_)
-          records.push_back({a, b, c, std::max({inside, order_ab, order_bc, x->order})});
-      }
+    for (const auto& [b, order_ab] : above(a, from_u)) {
+      deadline_.check();
+      const VertexId v = vertex(b);
+      const Index least = order_ab;  // a structured binding is not to be captured
+      for_each_in_both(above(b, from_u), above(b, lists_.of(place_of_number_[b])),
+                       [&](Index c, Index order_ac, Index order_bc) {
+                         const Index inside = order_if_empty(counter, u, v, vertex(c));
+                         if (inside <= k_)
+                           records.push_back({a, numbering_.number[v], c,
+                                              std::max({inside, least, order_bc, order_ac})});
+                       });
     }
   }
 
  private:
+  using Ends = std::span<const UsefulLists::End>;
+
+  static Ends::iterator first_from(Index number, Ends::iterator begin, Ends::iterator end) {
+    return std::lower_bound(begin, end, number,
+                            [](const UsefulLists::End& e, Index n) { return e.to < n; });
+  }
+  static Ends above(Index number, const Ends& ends) {
+    return {first_from(number + 1, ends.begin(), ends.end()), ends.end()};
+  }
+
+  /// Calls f(number, order in the one list, order in the other), ascending. Where one list is far
+  /// longer than the other, as a hub's is, it is not gone through.
+  template <class F>
+  static void for_each_in_both(const Ends& ends, const Ends& others, const F& f) {
+    if (ends.size() <= others.size()) return go_through(ends, others, f);
+    go_through(others, ends,
+               [&](Index to, Index in_others, Index in_ends) { f(to, in_ends, in_others); });
+  }
+  template <class F>
+  static void go_through(const Ends& ends, const Ends& others, const F& f) {
+    constexpr std::size_t kFew = 8;
+    auto x = others.begin();
+    for (const auto& [to, order] : ends) {
+      if (others.size() > kFew * ends.size())
+        x = first_from(to, x, others.end());
+      else
+        while (x != others.end() && x->to < to) ++x;
+      if (x == others.end()) break;
+      if (x->to == to) f(to, order, x->order);
+    }
+  }
+
   static std::vector<Index> places(const Numbering& numbering) {
     std::vector<Index> places(
         numbering.ascending.empty() ? 0 : numbering.number[*(numbering.ascending.end() - 1)] + 1,
@@ -154,13 +189,14 @@ class ValidTriangles {
   const DelaunayGraph& graph_;
   const Index k_;
   const Numbering& numbering_;
+  const Deadline deadline_;
   const std::vector<Index> place_of_number_;
-  UsefulLists lists_;
+  const UsefulLists lists_;
 };
 
 void for_each_valid_triangle(const DelaunayGraph& graph, Index k, const Numbering& numbering,
-                             const Sink& sink) {
-  const ValidTriangles triangles(graph, k, numbering);
+                             const Sink& sink, const Deadline& deadline) {
+  const ValidTriangles triangles(graph, k, numbering, deadline);
   PerThread<CircleCounter> counters([&] { return CircleCounter(graph); });
   stream(graph.xy.size(), sink,
          [&](std::size_t first, std::size_t last, std::vector<TriangleRecord>& records) {
@@ -172,11 +208,11 @@ void for_each_valid_triangle(const DelaunayGraph& graph, Index k, const Numberin
 }  // namespace
 
 void for_each_triangle(const DelaunayGraph& graph, TriangleClass triangle_class, Index k,
-                       const Numbering& numbering, const Sink& sink) {
+                       const Numbering& numbering, const Sink& sink, const Deadline& deadline) {
   if (triangle_class == TriangleClass::kod)
-    for_each_kod_triangle(graph, k, numbering, sink);
+    for_each_kod_triangle(graph, k, numbering, sink, deadline);
   else
-    for_each_valid_triangle(graph, k, numbering, sink);
+    for_each_valid_triangle(graph, k, numbering, sink, deadline);
 }
 
 }  // namespace hodt

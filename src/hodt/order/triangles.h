@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/numbering.h"
 
@@ -28,9 +29,10 @@ struct TriangleRecord {
 
 /// Passes all triangles of the class and of order at most k to the sink, in pieces, sorted by a, b
 /// and c; a piece can be empty. Memory does not grow with their number (but for `valid`: all useful
-/// edges). The same pieces on any number of threads.
+/// edges). The same pieces on any number of threads. Throws TimeIsUp if the deadline passes.
 void for_each_triangle(const DelaunayGraph& graph, TriangleClass triangle_class, Index k,
                        const Numbering& numbering,
-                       const std::function<void(std::span<const TriangleRecord>)>& sink);
+                       const std::function<void(std::span<const TriangleRecord>)>& sink,
+                       const Deadline& deadline = {});
 
 }  // namespace hodt

@@ -15,8 +15,9 @@ std::optional<Index> UsefulEdgeSearch::useful_order(VertexId u, VertexId v, Inde
   return found.front().order;
 }
 
-UsefulEdgeSearches::UsefulEdgeSearches(const DelaunayGraph& graph, Index limit)
-    : searches_([this, &graph] {
+UsefulEdgeSearches::UsefulEdgeSearches(const DelaunayGraph& graph, Index limit,
+                                       const Deadline& deadline)
+    : deadline_(deadline), searches_([this, &graph] {
         return tree_ ? UsefulEdgeSearch(graph, *tree_) : UsefulEdgeSearch(graph);
       }) {
   if (limit >= UsefulEdgeSearch::kWithTree || graph.has_hubs()) tree_.emplace(graph.xy);

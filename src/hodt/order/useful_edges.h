@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/parallel.h"
 #include "hodt/order/first_order/first_order.h"
+#include "hodt/order/search/count_past_hubs.h"
 #include "hodt/order/search/large_order_search.h"
 #include "hodt/order/search/neighbourhood.h"
 #include "hodt/order/search/pencil.h"
@@ -48,6 +50,16 @@ class UsefulEdgeSearch {
   void limit_effort(std::size_t questions) { effort_ = questions; }
   bool complete() const { return complete_; }
 
+  /// From then on searches throw TimeIsUp.
+  void end_at(const Deadline& deadline) {
+    deadline_ = deadline;
+    narrow_.end_at(deadline);
+    around_.end_at(deadline);
+    if (wide_) wide_->end_at(deadline);
+    if (widest_) widest_->end_at(deadline);
+    if (large_) large_->end_at(deadline);
+  }
+
   /// The scratch memory of a search, for other questions in between.
   Neighbourhood& neighbourhood() { return around_; }
 
@@ -79,6 +91,7 @@ class UsefulEdgeSearch {
  private:
   template <class Wanted>
   void find(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
+    deadline_.check();
     found_.clear();
     complete_ = true;
     if (limit == 1)
@@ -119,9 +132,9 @@ class UsefulEdgeSearch {
   bool through_windows(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
     const auto go = [&](Towards half) {
       if (limit <= kNarrow && through(narrow_, u, limit, wanted, half)) return true;
-      if (!wide_) wide_.emplace(graph_);
+      if (!wide_) wide_.emplace(graph_).end_at(deadline_);
       if (limit <= kWide && through(*wide_, u, limit, wanted, half)) return true;
-      if (!widest_) widest_.emplace(graph_);
+      if (!widest_) widest_.emplace(graph_).end_at(deadline_);
       return through(*widest_, u, limit, wanted, half);
     };
     // Each half needs fewer points than both together.
@@ -137,6 +150,7 @@ class UsefulEdgeSearch {
     const std::size_t before = found_.size();
     walk.begin(u, limit, towards);
     while (walk.find_next()) {
+      deadline_.check();
       const VertexId v = walk.candidate();
       const bool is_wanted = wanted(v);
       // To look at others, too, makes more points known, which ends the walk earlier.
@@ -144,7 +158,7 @@ class UsefulEdgeSearch {
       Index order = walk.useful_order();
       if (!is_wanted) continue;
       if (order == kNone && !walk.gave_up())
-        order = tree().useful_order(u, v, walk.on_left(), walk.on_right(), limit);
+        order = order_past_hubs(u, v, walk.on_left(), walk.on_right(), limit);
       if (order <= limit) found_.push_back({v, order});
     }
     if (walk.gave_up()) found_.resize(before);
@@ -181,9 +195,16 @@ class UsefulEdgeSearch {
           static_cast<std::size_t>(around_.least_order(i) <= limit && wanted(around_.vertex(i)));
     }
     for (std::size_t c = 0; c < count; ++c) {
+      deadline_.check();
       const Index order = around_.pencil().useful_order(candidates_[c], limit);
       if (order <= limit) found_.push_back({around_.vertex(candidates_[c]), order});
     }
+  }
+
+  Index order_past_hubs(VertexId u, VertexId v, VertexId left, VertexId right, Index limit) {
+    if (!past_hubs_) past_hubs_.emplace(graph_);
+    const Index order = past_hubs_->useful_order(u, v, left, right, limit);
+    return order != kNone ? order : tree().useful_order(u, v, left, right, limit);
   }
 
   const PointTree& tree() {
@@ -203,19 +224,27 @@ class UsefulEdgeSearch {
   std::optional<WindowWalk<16>> widest_;
   Neighbourhood around_;
   std::optional<LargeOrderSearch> large_;
+  std::optional<CountPastHubs> past_hubs_;  // from the first question on
   std::size_t effort_ = std::numeric_limits<std::size_t>::max();
   bool complete_ = true;
+  Deadline deadline_;
   std::vector<UsefulEdge> found_;
   std::vector<Index> candidates_;
 };
 
-/// A search for every thread, with a tree if one pays for orders up to `limit`.
+/// A search for every thread, with a tree if one pays for orders up to `limit`. They throw TimeIsUp
+/// if the deadline passes.
 class UsefulEdgeSearches {
  public:
-  UsefulEdgeSearches(const DelaunayGraph& graph, Index limit);
-  UsefulEdgeSearch& mine() { return searches_.mine(); }
+  UsefulEdgeSearches(const DelaunayGraph& graph, Index limit, const Deadline& deadline = {});
+  UsefulEdgeSearch& mine() {
+    UsefulEdgeSearch& search = searches_.mine();
+    search.end_at(deadline_);
+    return search;
+  }
 
  private:
+  const Deadline deadline_;
   std::optional<PointTree> tree_;
   PerThread<UsefulEdgeSearch> searches_;
 };

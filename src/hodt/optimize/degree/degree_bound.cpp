@@ -115,22 +115,22 @@ Index degree_bound(const DelaunayGraph& graph, Index order, Index known, const D
     number[v] = static_cast<Index>(candidates.size());
     candidates.emplace_back(degree, VertexId(v));
   }
-  if (candidates.empty() || deadline.passed()) return known;
+  if (candidates.empty()) return known;
   std::vector<std::vector<Arc>> arcs(candidates.size());
   const auto add = [&](VertexId v, VertexId from, VertexId to) {
     if (number[v] != kNone) arcs[number[v]].push_back({from, to});
   };
-  for_each_triangle(graph, TriangleClass::valid, order, own_numbering(graph.xy.size()),
-                    [&](std::span<const TriangleRecord> piece) {
-                      for (const TriangleRecord& t : piece) {
-                        VertexId a(t.a), b(t.b), c(t.c);
-                        if (orient(graph.point(a), graph.point(b), graph.point(c)) < 0)
-                          std::swap(b, c);
-                        add(a, b, c);
-                        add(b, c, a);
-                        add(c, a, b);
-                      }
-                    });
+  const auto add_all = [&](std::span<const TriangleRecord> piece) {
+    for (const TriangleRecord& t : piece) {
+      VertexId a(t.a), b(t.b), c(t.c);
+      if (orient(graph.point(a), graph.point(b), graph.point(c)) < 0) std::swap(b, c);
+      add(a, b, c);
+      add(b, c, a);
+      add(c, a, b);
+    }
+  };
+  for_each_triangle(graph, TriangleClass::valid, order, own_numbering(graph.xy.size()), add_all,
+                    deadline);
   // The largest degrees first: what they leave possible is mostly more than others have.
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });

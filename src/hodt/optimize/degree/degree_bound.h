@@ -8,7 +8,8 @@ namespace hodt {
 
 /// No triangulation of the order has a smaller largest degree. The triangles at a vertex are valid,
 /// and go once around it (at the hull, from side to side): the fewest that do are a bound for its
-/// degree, alone. `known`: some bound, which is all there is if the deadline has passed.
+/// degree, alone. `known`: some bound. Throws TimeIsUp if the deadline passes before there can be a
+/// better one; then ends with what is proven.
 Index degree_bound(const DelaunayGraph& graph, Index order, Index known,
                    const Deadline& deadline = {});
 

@@ -57,7 +57,8 @@ Index average_degree(const TriangleMesh& mesh) {
 }
 
 /// Finds the flips to the best triangulation of order 1; returns a proven lower bound.
-Index choose_diagonals(const DelaunayGraph& graph, std::vector<HalfEdgeId>& flips) {
+Index choose_diagonals(const DelaunayGraph& graph, const Deadline& deadline,
+                       std::vector<HalfEdgeId>& flips) {
   const TriangleMesh& mesh = graph.mesh;
   const std::vector<HalfEdgeId> diagonals = first_order_edges(graph);
   std::vector<Index> base = degrees_of(mesh);
@@ -69,15 +70,29 @@ Index choose_diagonals(const DelaunayGraph& graph, std::vector<HalfEdgeId>& flip
     --base[b];
     corners.push_back({a, b, mesh.apex(h), mesh.apex(mesh.twin(h))});
   }
-  Index bound = average_degree(mesh);
+  // Below what a vertex has without any of the diagonals nothing is possible.
+  Index bound = std::max(average_degree(mesh), largest(base));
   const DegreeChoices choices(std::move(base), std::move(corners));
   std::vector<bool> chosen(diagonals.size(), false);
-  bool all_proven = true;
-  for (Index most = bound; most < delaunay; ++most) {
-    const DegreeChoices::Answer answer = choices.keep_below(most, chosen);
-    if (answer == DegreeChoices::Answer::possible) break;
-    all_proven &= answer == DegreeChoices::Answer::impossible;
-    if (all_proven) bound = most + 1;
+  const auto can_keep_below = [&](Index most) {
+    std::vector<bool> found(diagonals.size(), false);
+    const DegreeChoices::Answer answer = choices.keep_below(most, found, deadline);
+    if (answer == DegreeChoices::Answer::possible) chosen = std::move(found);
+    if (answer == DegreeChoices::Answer::impossible) bound = most + 1;  // nor is less
+    return answer == DegreeChoices::Answer::possible;
+  };
+  // One after the other, as it mostly is one of the first; where there are hubs, in ever larger
+  // steps, and then by bisection.
+  constexpr Index kOneByOne = 64;
+  Index failed = bound - 1, reached = delaunay, step = 1;
+  Index tries = 0;
+  for (Index most = bound; most < reached && !deadline.passed(); most += step) {
+    (can_keep_below(most) ? reached : failed) = most;
+    if (++tries >= kOneByOne) step *= 2;
+  }
+  while (failed + 1 < reached && !deadline.passed()) {
+    const Index most = failed + (reached - failed) / 2;
+    (can_keep_below(most) ? reached : failed) = most;
   }
   for (std::size_t q = 0; q < diagonals.size(); ++q)
     if (chosen[q]) flips.push_back(diagonals[q]);
@@ -85,8 +100,8 @@ Index choose_diagonals(const DelaunayGraph& graph, std::vector<HalfEdgeId>& flip
 }
 
 /// The fixed edges at a vertex are always there.
-Index fixed_bound(const DelaunayGraph& graph, Index order) {
-  const Buffer<bool> fixed = fixed_edges(graph, order);
+Index fixed_bound(const DelaunayGraph& graph, Index order, const Deadline& deadline) {
+  const Buffer<bool> fixed = fixed_edges(graph, order, deadline);
   return largest(degrees_of(graph.mesh, [&](HalfEdgeId h) { return fixed[h]; }));
 }
 
@@ -96,7 +111,7 @@ MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
                                  const Deadline& deadline) {
   const auto delaunay = largest(degrees_of(graph.mesh));
   std::vector<HalfEdgeId> flips;
-  Index bound = order == 0 ? delaunay : choose_diagonals(graph, flips);
+  Index bound = order == 0 ? delaunay : choose_diagonals(graph, deadline, flips);
   MeshChange change(std::move(flips));
   TriangleMesh mesh = change.applied_to(graph.mesh);
   if (order > 1) {
@@ -104,9 +119,13 @@ MeasuredSolution minimize_degree(const DelaunayGraph& graph, Index order,
     for (Index k = 2; k < std::min(order, kStepwise) && !deadline.passed(); ++k)
       reduce_degrees_by_flips(graph, k, deadline, mesh);
     reduce_degrees_by_flips(graph, order, deadline, mesh);
-    bound = std::max(average_degree(graph.mesh), fixed_bound(graph, order));
-    if (bound < largest(degrees_of(mesh)) && order <= kMostForBound)
-      bound = degree_bound(graph, order, bound, deadline);
+    bound = average_degree(graph.mesh);
+    try {
+      bound = std::max(bound, fixed_bound(graph, order, deadline));
+      if (bound < largest(degrees_of(mesh)) && order <= kMostForBound)
+        bound = degree_bound(graph, order, bound, deadline);
+    } catch (const TimeIsUp&) {  // the bound so far is one
+    }
   }
   const Index result = largest(degrees_of(mesh));
   if (order > 1) change = MeshChange(std::move(mesh));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -84,7 +86,7 @@ class Bound {
       : graph_(graph),
         values_(values),
         deadline_(deadline),
-        faces_(graph, order),
+        faces_(graph, order, deadline),
         objective_(values.objective()),
         sign_(values.sign()),
         most_(sign_ > 0 ? at_hand : std::numeric_limits<double>::infinity()) {
@@ -101,13 +103,14 @@ class Bound {
 
  private:
   void find_edges();
+  void sort_uses();
   double cost(const Edge& edge, const Use& left, const Use& right) const {
     return std::min(most_,
                     sign_ * values_.across(VertexId(edge.left[0].low), VertexId(edge.left[0].high),
                                            gradients_[left.triangle], gradients_[right.triangle]));
   }
   EdgeBound charge_sums(bool is_thorough);
-  void charge_all();
+  bool charge_all();
   void share(const Edge& edge, std::vector<double>& room) const;
   void take_back(const std::vector<FaceSolution>& solutions);
   double least_largest(TriangleMesh& mesh);
@@ -115,6 +118,7 @@ class Bound {
   double best_pair() const;
   double solve(Aggregate aggregate, std::vector<FaceSolution>& solutions);
   bool is_delaunay(const Corners& t) const;
+  std::optional<bool> is_delaunay(VertexId a, VertexId b, VertexId c, Index most) const;
   void take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh);
 
   const DelaunayGraph& graph_;
@@ -147,16 +151,34 @@ void Bound::find_edges() {
         uses_[at++] = {std::min<Index>(u, v), std::max<Index>(u, v), Index(t), u < v, 0};
     }
   });
-  std::sort(uses_.begin(), uses_.end(), [](const Use& x, const Use& y) {
-    return std::tuple(x.edge(), !x.is_left, x.triangle) <
-           std::tuple(y.edge(), !y.is_left, y.triangle);
-  });
+  sort_uses();
   for (auto first = uses_.begin(), last = first; first != uses_.end(); first = last) {
     while (last != uses_.end() && last->edge() == first->edge()) ++last;
     const auto middle =
         std::partition_point(first, last, [](const Use& use) { return use.is_left; });
     if (middle != first && middle != last) edges_.push_back({{first, middle}, {middle, last}});
   }
+}
+
+/// By their edges, what is on the left first: by the lower ends, and then of each of these.
+void Bound::sort_uses() {
+  const std::size_t n = graph_.xy.size();
+  std::vector<std::size_t> first(n + 1, 0);
+  for (const Use& use : uses_) ++first[use.low + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Use> sorted(uses_.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (const Use& use : uses_) sorted[next[use.low]++] = use;
+  uses_ = std::move(sorted);
+  parallel_for(0, n, 1 << 10, [&](std::size_t v, std::size_t last) {
+    deadline_.check();
+    for (; v < last; ++v)
+      std::sort(uses_.begin() + std::ptrdiff_t(first[v]),
+                uses_.begin() + std::ptrdiff_t(first[v + 1]), [](const Use& x, const Use& y) {
+                  return std::tuple(x.high, !x.is_left, x.triangle) <
+                         std::tuple(y.high, !y.is_left, y.triangle);
+                });
+  });
 }
 
 /// Charges as much more as no pair exceeds its cost by: half of it to those on the left, then all
@@ -217,7 +239,7 @@ EdgeBound Bound::charge_sums(bool is_thorough) {
   std::vector<FaceSolution> solutions(faces_.size());
   double best = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds && (round == 0 || !deadline_.passed()); ++round) {
-    charge_all();
+    if (!charge_all()) break;
     const double bound = solve(Aggregate::sum, solutions);
     TriangleMesh mesh = graph_.mesh;
     take(solutions, mesh);
@@ -229,22 +251,27 @@ EdgeBound Bound::charge_sums(bool is_thorough) {
     if (gain <= worth_it * (best - result.bound)) break;
     take_back(solutions);
   }
+  if (!std::isfinite(result.bound)) throw TimeIsUp();
   result.bound = std::max(sign_ * result.bound, 0.0) + 0.0;
   return result;
 }
 
-void Bound::charge_all() {
+/// False, and some edges left as they were, if time is up.
+bool Bound::charge_all() {
   PerThread<std::vector<double>> scratch([] { return std::vector<double>(); });
   parallel_for(0, edges_.size(), 1 << 8, [&](std::size_t first, std::size_t last) {
     std::vector<double>& room = scratch.mine();
+    if (deadline_.passed()) return;
     for (std::size_t e = first; e < last; ++e) share(edges_[e], room);
   });
+  if (deadline_.passed()) return false;
   for (FaceTriangle& t : faces_.triangles()) t.value = 0;
   // A little less, so that the sum of three is less than that of the charges.
   for (const Edge& edge : edges_)
     for (const std::span<Use> uses : {edge.left, edge.right})
       for (const Use& use : uses)
         faces_.triangles()[use.triangle].value += use.charge - 0x1p-50 * std::fabs(use.charge);
+  return true;
 }
 
 /// With a triangle there is, at each of its edges, a pair at least as bad as the best one it can be
@@ -254,7 +281,7 @@ double Bound::least_largest(TriangleMesh& mesh) {
   const std::span<FaceTriangle> triangles = faces_.triangles();
   for (FaceTriangle& t : triangles) t.value = kNever;
   bool is_changing = true;
-  for (int round = 0; is_changing && round < kMostRounds; ++round) {
+  for (int round = 0; is_changing && round < kMostRounds && !deadline_.passed(); ++round) {
     for (const Edge& edge : edges_) charge_least(edge);
     is_changing = false;
     for (const Edge& edge : edges_)
@@ -293,11 +320,23 @@ double Bound::best_pair() const {
 }
 
 bool Bound::is_delaunay(const Corners& t) const {
-  bool found = false;
-  for_each_outgoing(graph_.mesh, graph_.outgoing[t[0]], [&](HalfEdgeId h) {
-    found |= graph_.mesh.target(h) == t[1] && graph_.mesh.apex(h) == t[2];
-  });
-  return found;
+  constexpr Index kFew = 128;  // hubs are corners of very many triangles
+  for (Index i = 0; i < 3; ++i)
+    if (const auto known = is_delaunay(t[i], t[(i + 1) % 3], t[(i + 2) % 3], kFew)) return *known;
+  return *is_delaunay(t[0], t[1], t[2], kNone);
+}
+
+/// Nothing if a has more than `most` triangles, and that is not among the first.
+std::optional<bool> Bound::is_delaunay(VertexId a, VertexId b, VertexId c, Index most) const {
+  const TriangleMesh& mesh = graph_.mesh;
+  const HalfEdgeId start = graph_.outgoing[a];
+  HalfEdgeId h = start;
+  do {
+    if (most-- == 0) return std::nullopt;
+    if (mesh.target(h) == b && mesh.apex(h) == c) return true;
+    h = mesh.rotate_ccw(h);
+  } while (h.valid() && h != start);
+  return false;
 }
 
 /// The least that the triangles' values can sum up to, or their largest can be.

@@ -19,8 +19,8 @@ struct EdgeBound {
 /// charged with more than it costs. So any triangulation costs at least what its triangles are
 /// charged with, and the least of that is found face by face. Where a triangle could be charged
 /// with less for that, others are charged with more, in rounds, of sums. `is_thorough`: for far
-/// longer. `at_hand`: the value of some triangulation of that order. The deadline ends it after any
-/// round.
+/// longer. `at_hand`: the value of some triangulation of that order. The deadline ends it with what
+/// is proven; throws TimeIsUp if that is nothing.
 EdgeBound bound_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index order,
                              double at_hand, const Deadline& deadline, bool is_thorough);
 

@@ -9,6 +9,7 @@
 #include "hodt/optimize/edge_measure/edge_bound.h"
 #include "hodt/optimize/flip/flips.h"
 #include "hodt/optimize/measure/edge_measures.h"
+#include "hodt/optimize/measure/trivial_bound.h"
 #include "hodt/optimize/solve/choices.h"
 #include "hodt/order/first_order/first_order.h"
 
@@ -249,18 +250,20 @@ MeasuredSolution Optimizer::improve(const MeasuredSolution& first_order) {
     return values_.of(mesh);
   };
   TriangleMesh mesh = first_order.change.applied_to(delaunay_);
-  double result = improve(mesh);
-  EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, result,
-                                            problem_.deadline, problem_.method == Method::exact);
-  if (problem_.method != Method::flip) {
-    const double other = improve(suggestion.mesh);
+  double result = improve(mesh), bound = 0;
+  try {
+    EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, result,
+                                              problem_.deadline, problem_.method == Method::exact);
+    bound = suggestion.bound;
+    const double other = problem_.method == Method::flip ? result : improve(suggestion.mesh);
     if (values_.better(other, result)) {
       result = other;
       mesh = std::move(suggestion.mesh);
     }
+  } catch (const TimeIsUp&) {
+    bound = trivial_bound(problem_.objective, graph_.xy, delaunay_);
   }
-  return measured(values_, MeshChange(std::move(mesh)), first_order.delaunay, result,
-                  suggestion.bound);
+  return measured(values_, MeshChange(std::move(mesh)), first_order.delaunay, result, bound);
 }
 
 }  // namespace

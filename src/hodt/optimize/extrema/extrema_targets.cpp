@@ -76,13 +76,23 @@ bool ExtremaTargets::offer_more_edges(const std::vector<Index>& targets) {
   return has_more || !open.empty();
 }
 
+/// If time is up, the target's edges stay unknown.
 void ExtremaTargets::search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const {
+  try {
+    search_all_up_to(search, target, order);
+  } catch (const TimeIsUp&) {
+    target.given_up = true;
+  }
+}
+
+void ExtremaTargets::search_all_up_to(UsefulEdgeSearch& search, Target& target, Index order) const {
   // An edge to a minimum that is to stay would remove it.
   const auto wanted = [&](VertexId v) {
     return heights_.removes(v, target.vertex, target.kind) &&
            !(target.kind == Extremum::maximum && kept_[v]);
   };
   search.limit_effort(kEffort);
+  search.end_at(deadline_);
   const auto& found = search.from(target.vertex, order, wanted);
   if (!search.complete()) {
     target.given_up = true;

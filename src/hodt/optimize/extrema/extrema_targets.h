@@ -57,6 +57,7 @@ class ExtremaTargets {
 
  private:
   void search_up_to(UsefulEdgeSearch& search, Target& target, Index order) const;
+  void search_all_up_to(UsefulEdgeSearch& search, Target& target, Index order) const;
   bool is_searched(const Target& target) const { return target.searched >= order_; }
   bool needs_search(const Target& target) const { return !is_searched(target) && !target.given_up; }
 

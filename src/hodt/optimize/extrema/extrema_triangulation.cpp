@@ -110,15 +110,19 @@ Buffer<Index> ExtremaTriangulation::partners() const {
   return partners;
 }
 
-void ExtremaTriangulation::hold(const Buffer<Index>& partners) {
+void ExtremaTriangulation::hold(const Buffer<Index>& partners, const Deadline& deadline) {
   edit([&](ConstrainedTriangulation& triangulation) {
     for (Index v = 0; v < partners.size(); ++v)
       if (const VertexId u(v);
-          triangulation.owns_locked_edge(u) && triangulation.partner(u) != partners[v])
+          triangulation.owns_locked_edge(u) && triangulation.partner(u) != partners[v]) {
+        deadline.check();
         triangulation.release(u);
+      }
     for (Index v = 0; v < partners.size(); ++v)
-      if (const VertexId u(v); partners[v] != kNone && !triangulation.owns_locked_edge(u))
+      if (const VertexId u(v); partners[v] != kNone && !triangulation.owns_locked_edge(u)) {
+        deadline.check();
         triangulation.lock(u, VertexId(partners[v]));
+      }
   });
 }
 

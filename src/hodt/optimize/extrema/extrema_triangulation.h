@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hodt/base/buffer.h"
+#include "hodt/base/deadline.h"
 #include "hodt/geometry/heights.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/order/constrained/constrained_triangulation.h"
@@ -44,8 +45,9 @@ class ExtremaTriangulation {
 
   /// The other end of the locked edge that each vertex owns, or kNone.
   Buffer<Index> partners() const;
-  /// Makes the locked edges be just these.
-  void hold(const Buffer<Index>& partners);
+  /// Makes the locked edges be just these. Throws TimeIsUp if the deadline passes, and is of no use
+  /// then.
+  void hold(const Buffer<Index>& partners, const Deadline& deadline = {});
 
   /// Changes the triangulation as told.
   template <class Change>

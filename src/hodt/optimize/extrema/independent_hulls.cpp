@@ -5,7 +5,8 @@
 
 namespace hodt {
 
-void insert_independent_hulls(const ExtremaTargets& targets, ExtremaTriangulation& triangulation) {
+void insert_independent_hulls(const ExtremaTargets& targets, const Deadline& deadline,
+                              ExtremaTriangulation& triangulation) {
   struct Candidate {
     Index order, target;
     VertexId to;
@@ -16,6 +17,7 @@ void insert_independent_hulls(const ExtremaTargets& targets, ExtremaTriangulatio
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
   for (const Candidate& c : candidates) {
+    if (deadline.passed()) return;
     const Target& target = targets[c.target];
     if (triangulation.is_extremum(target.vertex, target.kind))
       triangulation.lock_if_better(target.vertex, c.to);

@@ -29,6 +29,7 @@ void release_nearest(ConstrainedTriangulation& triangulation, TriangleId t) {
 }  // namespace
 
 void release_where_order_is_too_high(const DelaunayGraph& graph, Index order,
+                                     const Deadline& deadline,
                                      ExtremaTriangulation& triangulation) {
   CircleCounter counter(graph);
   triangulation.edit([&](ConstrainedTriangulation& edges) {
@@ -37,6 +38,7 @@ void release_where_order_is_too_high(const DelaunayGraph& graph, Index order,
       for (Index i = 0; i < edges.mesh().triangle_count(); ++i) {
         const TriangleId t(i);
         if (edges.is_original(t)) continue;
+        deadline.check();
         const auto [a, b, c] = edges.mesh().corners(t);
         if (counter.count(a, b, c, order) <= order) continue;
         release_nearest(edges, t);

@@ -8,8 +8,9 @@ namespace hodt {
 
 /// Useful edges that do not cross can force a higher order together (Gudmundsson, Haverkort and van
 /// Kreveld), which is rare. Releases the locked edge nearest to each triangle of more than `order`
-/// points, until there is no such triangle.
+/// points, until there is no such triangle. Throws TimeIsUp if the deadline passes, and leaves a
+/// triangulation of no use then.
 void release_where_order_is_too_high(const DelaunayGraph& graph, Index order,
-                                     ExtremaTriangulation& triangulation);
+                                     const Deadline& deadline, ExtremaTriangulation& triangulation);
 
 }  // namespace hodt

@@ -15,7 +15,8 @@ struct Candidates {
   SelectionProblem problem;
 };
 
-Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targets) {
+Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targets,
+                         const Deadline& deadline) {
   struct Candidate {
     Index low, high, order, target;
   };
@@ -44,7 +45,7 @@ Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targe
   }
   all.problem.edges_of = Lists(all.targets.size(), edges_of);
   all.problem.targets_of = Lists(all.edges.size(), targets_of);
-  all.problem.rivals = crossings(graph, all.edges);
+  all.problem.rivals = crossings(graph, all.edges, deadline);
   return all;
 }
 
@@ -52,7 +53,7 @@ Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targe
 
 RemovingEdges select_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
                                     const Deadline& deadline, std::size_t most_work) {
-  const Candidates all = candidates_of(graph, targets);
+  const Candidates all = candidates_of(graph, targets, deadline);
   const Selection selection = select_edges(all.problem, deadline, most_work);
   RemovingEdges result;
   for (Index e = 0; e < all.edges.size(); ++e) result.crossings += all.problem.rivals[e].size() / 2;

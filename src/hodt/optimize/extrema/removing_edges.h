@@ -23,7 +23,8 @@ struct RemovingEdges {
 };
 
 /// The edges that remove as many targets as edges can that do not cross: at least as many as any
-/// triangulation of the order removes, if all edges of the contested targets are known.
+/// triangulation of the order removes, if all edges of the contested targets are known. Throws
+/// TimeIsUp if the deadline passes before there is any choice.
 RemovingEdges select_removing_edges(const DelaunayGraph& graph, const ExtremaTargets& targets,
                                     const Deadline& deadline, std::size_t most_work);
 

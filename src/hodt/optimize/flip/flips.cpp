@@ -21,11 +21,11 @@ struct Quadrilateral {
 };
 
 /// `Better` says of a quadrilateral whose diagonal ab could be replaced by dc whether that is
-/// better.
+/// better. It may have a member flipped(quadrilateral), which is told what was replaced.
 template <class Better>
 class Flipper {
  public:
-  Flipper(const DelaunayGraph& graph, Index k, const Better& better, TriangleMesh& mesh)
+  Flipper(const DelaunayGraph& graph, Index k, Better& better, TriangleMesh& mesh)
       : graph_(graph),
         k_(k),
         better_(better),
@@ -37,13 +37,16 @@ class Flipper {
   bool run(const Deadline& deadline) {
     bool any = false;
     for (Index h = 0; h < mesh_.halfedge_count(); ++h) push(HalfEdgeId(h));
-    for (std::size_t steps = 0; !queue_.empty(); ++steps) {
-      if (steps % 1024 == 0 && deadline.passed()) return false;
+    while (!queue_.empty()) {
+      if (deadline.passed()) return false;
       const HalfEdgeId h = queue_.back();
       queue_.pop_back();
       queued_[h] = false;
-      if (!improves(h)) continue;
+      if (mesh_.is_boundary(h)) continue;  // since it was queued, it came to name another edge
+      const Quadrilateral q = quadrilateral(h);
+      if (!improves(h, q)) continue;
       flip(h);
+      if constexpr (requires { better_.flipped(q); }) better_.flipped(q);
       any = true;
     }
     return any;
@@ -61,10 +64,11 @@ class Flipper {
     queue_.push_back(h);
   }
 
-  bool improves(HalfEdgeId h) {
-    if (mesh_.is_boundary(h)) return false;  // since it was queued, it came to name another edge
-    const Quadrilateral q{mesh_.origin(h), mesh_.target(h), mesh_.apex(h),
-                          mesh_.apex(mesh_.twin(h))};
+  Quadrilateral quadrilateral(HalfEdgeId h) const {
+    return {mesh_.origin(h), mesh_.target(h), mesh_.apex(h), mesh_.apex(mesh_.twin(h))};
+  }
+
+  bool improves(HalfEdgeId h, const Quadrilateral& q) {
     const Point &a = graph_.point(q.a), &b = graph_.point(q.b);
     const Point &c = graph_.point(q.c), &d = graph_.point(q.d);
     if (orient(a, d, c) <= 0 || orient(b, c, d) <= 0) return false;  // not convex
@@ -87,23 +91,80 @@ class Flipper {
 
   const DelaunayGraph& graph_;
   const Index k_;
-  const Better& better_;
+  Better& better_;
   TriangleMesh& mesh_;
   CircleCounter counter_;
   std::vector<bool> queued_;
   std::vector<HalfEdgeId> queue_;
 };
 
-/// Calls f(v) for every neighbour of the origin of h, whatever is at the boundary.
+/// Calls f(u, v) for every edge once.
 template <class F>
-void for_each_neighbour_around(const TriangleMesh& mesh, HalfEdgeId h, const F& f) {
-  HalfEdgeId first = h;
-  for (HalfEdgeId before = mesh.rotate_cw(h); before.valid() && before != h;
-       before = mesh.rotate_cw(before))
-    first = before;
-  if (mesh.is_boundary(first)) return for_each_neighbour(mesh, first, f);
-  for_each_neighbour(mesh, h, f);
+void for_each_edge_of(const TriangleMesh& mesh, const F& f) {
+  for (Index i = 0; i < mesh.halfedge_count(); ++i)
+    if (const HalfEdgeId h(i); mesh.is_boundary(h) || h < mesh.twin(h))
+      f(mesh.origin(h), mesh.target(h));
 }
+
+/// A flip is better that makes the larger degree at the ends of the edge smaller. The degrees are
+/// kept, as counting those of hubs would take long.
+class SmallerDegrees {
+ public:
+  explicit SmallerDegrees(const TriangleMesh& mesh) : degree_(mesh.vertex_count(), 0) {
+    for_each_edge_of(mesh, [&](VertexId u, VertexId v) { ++degree_[u], ++degree_[v]; });
+  }
+  bool operator()(const TriangleMesh&, HalfEdgeId, const Quadrilateral& q) const {
+    return std::max(degree_[q.c], degree_[q.d]) + 1 < std::max(degree_[q.a], degree_[q.b]);
+  }
+  void flipped(const Quadrilateral& q) {
+    --degree_[q.a], --degree_[q.b];
+    ++degree_[q.c], ++degree_[q.d];
+  }
+
+ private:
+  Buffer<Index> degree_;
+};
+
+/// A flip is better that leaves fewer minima and maxima. What removes each vertex, as one or the
+/// other, is counted.
+class FewerExtrema {
+ public:
+  FewerExtrema(const TriangleMesh& mesh, const Heights& heights, const Buffer<bool>& kept)
+      : heights_(heights), kept_(kept) {
+    for (Buffer<Index>& removers : removers_) removers = Buffer<Index>(mesh.vertex_count(), 0);
+    for_each_edge_of(mesh, [&](VertexId u, VertexId v) { count(u, v, 1); });
+  }
+  bool operator()(const TriangleMesh&, HalfEdgeId, const Quadrilateral& q) const {
+    if (kept_[heights_.lower(q.c, q.d) ? q.d : q.c]) return false;
+    int gained = 0;
+    for (const Extremum kind : kExtrema) {
+      gained -= removes_with(q.b, q.a, kind, 1) + removes_with(q.a, q.b, kind, 1);
+      gained += removes_with(q.d, q.c, kind, 0) + removes_with(q.c, q.d, kind, 0);
+    }
+    return gained > 0;
+  }
+  void flipped(const Quadrilateral& q) {
+    count(q.a, q.b, -1);
+    count(q.c, q.d, 1);
+  }
+
+ private:
+  /// Whether u removes v, and so many do now.
+  int removes_with(VertexId u, VertexId v, Extremum kind, Index removers) const {
+    return heights_.removes(u, v, kind) && removers_[place(kind)][v] == removers ? 1 : 0;
+  }
+  void count(VertexId u, VertexId v, int change) {
+    for (const Extremum kind : kExtrema) {
+      const VertexId removed = heights_.removes(u, v, kind) ? v : u;
+      removers_[place(kind)][removed] += static_cast<Index>(change);
+    }
+  }
+  static std::size_t place(Extremum kind) { return kind == Extremum::minimum ? 0 : 1; }
+
+  const Heights& heights_;
+  const Buffer<bool>& kept_;
+  std::array<Buffer<Index>, 2> removers_;  // of every vertex, as a minimum and as a maximum
+};
 
 /// What a flip changes; 0 where there is no such edge, before and after.
 using FiveValues = std::array<double, 5>;
@@ -167,19 +228,7 @@ void improve_by_flips(const DelaunayGraph& graph, const EdgeValues& values, Inde
 
 void reduce_degrees_by_flips(const DelaunayGraph& graph, Index k, const Deadline& deadline,
                              TriangleMesh& mesh) {
-  // Read off around a vertex: flips leave nothing to keep up to date.
-  const auto degree = [](const TriangleMesh& m, HalfEdgeId h) {
-    Index count = 0;
-    for_each_neighbour_around(m, h, [&](VertexId) { ++count; });
-    return count;
-  };
-  const auto better = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral&) {
-    const HalfEdgeId twin = m.twin(h);
-    const Index ends = std::max(degree(m, h), degree(m, twin));
-    const Index others =
-        std::max(degree(m, TriangleMesh::prev(h)), degree(m, TriangleMesh::prev(twin)));
-    return others + 1 < ends;
-  };
+  SmallerDegrees better(mesh);
   Flipper(graph, k, better, mesh).run_to_the_end(deadline);
 }
 
@@ -197,31 +246,12 @@ void remove_extrema_by_flips(const DelaunayGraph& graph, const Heights& heights,
     const VertexId last = further(q.c, q.d);
     return further(last, further(q.a, q.b)) == last && !lowers_kept(q.c, q.d);
   };
-  const auto fewer = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral& q) {
-    if (lowers_kept(q.c, q.d)) return false;
-    const HalfEdgeId twin = m.twin(h);
-    int gained = 0;
-    for (const Extremum kind : kExtrema) {
-      // Whether v, which the origin of `corner` loses or gains, is all that removes it.
-      const auto is_sole_remover = [&](VertexId v, HalfEdgeId corner) {
-        if (!heights.removes(v, m.origin(corner), kind)) return false;
-        bool is_sole = true;
-        for_each_neighbour_around(m, corner, [&](VertexId w) {
-          is_sole &= w == v || !heights.removes(w, m.origin(corner), kind);
-        });
-        return is_sole;
-      };
-      gained -= is_sole_remover(q.b, h);
-      gained -= is_sole_remover(q.a, twin);
-      gained += is_sole_remover(q.d, TriangleMesh::prev(h));
-      gained += is_sole_remover(q.c, TriangleMesh::prev(twin));
-    }
-    return gained > 0;
-  };
-  if (objective == Objective::min_local_extrema)
-    Flipper(graph, k, fewer, mesh).run_to_the_end(deadline);
-  else
+  if (objective != Objective::min_local_extrema) {
     Flipper(graph, k, to_the_last, mesh).run(deadline);
+    return;
+  }
+  FewerExtrema fewer(mesh, heights, kept);
+  Flipper(graph, k, fewer, mesh).run_to_the_end(deadline);
 }
 
 }  // namespace hodt

@@ -32,6 +32,8 @@ class BinaryProgram {
   /// or none. Costs are to be at most about 1 in size.
   Solution minimize(const std::vector<double>& costs, double enough, double too_much = kInfinite);
 
+  bool is_out_of_time() const { return deadline_.passed(); }
+
  private:
   LinearRelaxation relaxation_;
   const Deadline& deadline_;

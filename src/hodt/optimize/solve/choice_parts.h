@@ -27,8 +27,9 @@ inline Index place_in(std::span<const Index> part, Index choice) {
 
 /// Exact for any objective, by eliminating the choices one after another (dynamic programming along
 /// a tree decomposition). Nothing if that would take tables of more than 2^14 costs, or of
-/// 2^20 together.
-std::optional<PartChoices> choose_by_tables(const ChoiceGraph& graph, std::span<const Index> part);
+/// 2^20 together, or longer than there is time.
+std::optional<PartChoices> choose_by_tables(const ChoiceGraph& graph, std::span<const Index> part,
+                                            const Deadline& deadline = {});
 
 /// For sums: choices that exchange messages until they agree (sequential reweighted message
 /// passing, Kolmogorov 2015), and a bound, which is mostly met. The deadline ends the passes.
@@ -36,7 +37,8 @@ PartChoices choose_by_messages(const ChoiceGraph& graph, std::span<const Index> 
                                const Deadline& deadline);
 
 /// For largest and smallest values, exact: whether all costs can be within a limit is a question
-/// for 2-satisfiability.
-PartChoices choose_by_limits(const ChoiceGraph& graph, std::span<const Index> part);
+/// for 2-satisfiability. With the deadline the bound is what was proven by then.
+PartChoices choose_by_limits(const ChoiceGraph& graph, std::span<const Index> part,
+                             const Deadline& deadline = {});
 
 }  // namespace hodt

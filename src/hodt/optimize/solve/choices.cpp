@@ -86,13 +86,14 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
 PartChoices best_of(const ChoiceGraph& graph, std::span<const Index> part,
                     const Deadline& deadline) {
   if (graph.combination().objective().aggregate != Aggregate::sum)
-    return choose_by_limits(graph, part);
+    return choose_by_limits(graph, part, deadline);
   const PartChoices best = choose_by_messages(graph, part, deadline);
   if (best.is_best || deadline.passed()) return best;
   const auto settled = std::count(best.settled.begin(), best.settled.end(), true);
   if (static_cast<std::size_t>(settled) > part.size() / 16)
     return best_of_open(graph, part, best, deadline);
-  if (std::optional<PartChoices> exact = choose_by_tables(graph, part)) return *std::move(exact);
+  if (std::optional<PartChoices> exact = choose_by_tables(graph, part, deadline))
+    return *std::move(exact);
   return best;
 }
 

@@ -86,14 +86,30 @@ std::vector<double> costs_best_first(const ChoiceGraph& graph, std::span<const I
 }
 
 /// The worst cost counts: the least limit that is possible.
-PartChoices best_worst(const ChoiceGraph& graph, std::span<const Index> part) {
+PartChoices best_worst(const ChoiceGraph& graph, std::span<const Index> part,
+                       const Deadline& deadline) {
   const std::vector<double> limits = costs_best_first(graph, part);
-  const auto least = std::partition_point(limits.begin(), limits.end(), [&](double limit) {
-    return !WithinLimit(graph, part, limit).is_possible();
-  });
-  WithinLimit within(graph, part, *least);
-  within.is_possible();
-  return {within.chosen(), *least, true};
+  // Limits before `first` are too low. The worst cost of all is one that anything keeps.
+  std::size_t first = 0, last = limits.size() - 1;
+  std::vector<bool> chosen(part.size(), false);
+  bool is_known = false;  // that `chosen` keeps the last
+  const auto try_limit = [&](std::size_t at) {
+    WithinLimit within(graph, part, limits[at]);
+    if (!within.is_possible()) return false;
+    chosen = within.chosen();
+    return true;
+  };
+  while (first < last && !deadline.passed()) {
+    const std::size_t middle = first + (last - first) / 2;
+    if (try_limit(middle)) {
+      last = middle;
+      is_known = true;
+    } else {
+      first = middle + 1;
+    }
+  }
+  if (first == last && !is_known) try_limit(last);
+  return {std::move(chosen), limits[first], first == last};
 }
 
 /// The best cost counts: anything that has it.
@@ -117,8 +133,10 @@ PartChoices best_best(const ChoiceGraph& graph, std::span<const Index> part) {
 
 }  // namespace
 
-PartChoices choose_by_limits(const ChoiceGraph& graph, std::span<const Index> part) {
-  return graph.combination().worst_counts() ? best_worst(graph, part) : best_best(graph, part);
+PartChoices choose_by_limits(const ChoiceGraph& graph, std::span<const Index> part,
+                             const Deadline& deadline) {
+  return graph.combination().worst_counts() ? best_worst(graph, part, deadline)
+                                            : best_best(graph, part);
 }
 
 }  // namespace hodt

@@ -17,7 +17,7 @@ constexpr std::size_t kMostSettings = 1 << 20;  // of all tables together
 class Tables {
  public:
   Tables(const ChoiceGraph& graph, std::span<const Index> part);
-  bool eliminate_all();
+  bool eliminate_all(const Deadline& deadline);
   PartChoices result() const;
 
  private:
@@ -50,7 +50,7 @@ Tables::Tables(const ChoiceGraph& graph, std::span<const Index> part)
       places_[i].neighbours.insert(place_in(part_, link.to));
 }
 
-bool Tables::eliminate_all() {
+bool Tables::eliminate_all(const Deadline& deadline) {
   std::set<std::pair<std::size_t, Index>> queue;
   for (Index i = 0; i < places_.size(); ++i) queue.emplace(places_[i].neighbours.size(), i);
   while (!queue.empty()) {
@@ -58,7 +58,7 @@ bool Tables::eliminate_all() {
     queue.erase(queue.begin());
     const std::set<Index> around = places_[i].neighbours;
     for (const Index j : around) queue.erase({places_[j].neighbours.size(), j});
-    if (!eliminate(i)) return false;
+    if (deadline.passed() || !eliminate(i)) return false;
     for (const Index j : around) queue.emplace(places_[j].neighbours.size(), j);
   }
   return true;
@@ -132,9 +132,14 @@ PartChoices Tables::result() const {
 
 }  // namespace
 
-std::optional<PartChoices> choose_by_tables(const ChoiceGraph& graph, std::span<const Index> part) {
+std::optional<PartChoices> choose_by_tables(const ChoiceGraph& graph, std::span<const Index> part,
+                                            const Deadline& deadline) {
+  // The time that it takes to note who is whose neighbour.
+  constexpr double kSecondsAChoice = 5e-6;
+  if (deadline.is_limited() && deadline.seconds_left() < kSecondsAChoice * double(part.size()))
+    return std::nullopt;
   Tables tables(graph, part);
-  if (!tables.eliminate_all()) return std::nullopt;
+  if (!tables.eliminate_all(deadline)) return std::nullopt;
   return tables.result();
 }
 

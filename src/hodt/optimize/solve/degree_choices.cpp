@@ -26,7 +26,7 @@ class DegreeChoices::Search {
   }
 
   /// Decides all choices of the part, or none.
-  Answer decide(const std::vector<Index>& part) {
+  Answer decide(const std::vector<Index>& part, const Deadline& deadline) {
     constexpr std::size_t kMostSteps = 200'000;
     std::size_t steps = 0;
     for (const Index q : part)
@@ -43,7 +43,7 @@ class DegreeChoices::Search {
     for (;;) {
       while (next < part.size() && state_[part[next]] != kOpen) ++next;
       if (next == part.size()) return trail_.clear(), Answer::possible;
-      if (++steps > kMostSteps) return undo_all(), Answer::unknown;
+      if (++steps > kMostSteps || deadline.passed()) return undo_all(), Answer::unknown;
       const Index q = part[next];
       branches.push_back({trail_.size(), q, preferred_[q], false});
       set(q, preferred_[q]);
@@ -113,12 +113,13 @@ class DegreeChoices::Search {
   std::vector<VertexId> to_check_;
 };
 
-DegreeChoices::Answer DegreeChoices::keep_below(Index most, std::vector<bool>& chosen) const {
+DegreeChoices::Answer DegreeChoices::keep_below(Index most, std::vector<bool>& chosen,
+                                                const Deadline& deadline) const {
+  if (*std::max_element(base_.begin(), base_.end()) > most) return Answer::impossible;
   Search search(*this, most, chosen);
   std::vector<bool> seen(choices_.size(), false);
   Answer answer = Answer::possible;
   for (VertexId v(0); v < base_.size(); v = VertexId(v + 1)) {
-    if (base_[v] > most) return Answer::impossible;
     if (!search.is_critical(v)) continue;
     // All that hangs together by critical vertices.
     std::vector<Index> part;
@@ -134,7 +135,7 @@ DegreeChoices::Answer DegreeChoices::keep_below(Index most, std::vector<bool>& c
     for (std::size_t next = 0; next < part.size(); ++next)
       for (const VertexId w : choices_[part[next]]) take_all_at(w);
     if (part.empty()) continue;
-    const Answer own = search.decide(part);
+    const Answer own = search.decide(part, deadline);
     if (own == Answer::impossible) return own;
     if (own == Answer::unknown) answer = own;
   }

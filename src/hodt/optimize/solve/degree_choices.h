@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
 
 namespace hodt {
@@ -20,8 +21,8 @@ class DegreeChoices {
   enum class Answer { possible, impossible, unknown };
   /// Chooses so that no vertex has a degree above `most`. `chosen` (true: the second diagonal) is
   /// changed only if that is possible, and only where it must be. Backtracking with propagation, up
-  /// to a fixed amount of work for each part.
-  Answer keep_below(Index most, std::vector<bool>& chosen) const;
+  /// to a fixed amount of work for each part, or until the deadline.
+  Answer keep_below(Index most, std::vector<bool>& chosen, const Deadline& deadline = {}) const;
 
  private:
   class Search;

@@ -32,6 +32,7 @@ class Search {
   Result solve_part(const SelectionProblem& problem);
 
  private:
+  void improve(Result& best, const SelectionProblem& problem);
   Result solve(const SelectionProblem& problem);
   Result solve_with(const SelectionProblem& problem, Index edge);
   Result solve_without(const SelectionProblem& problem, Index edge);
@@ -42,8 +43,8 @@ class Search {
   std::size_t work_left_;
 };
 
-Search::Result greedily(const SelectionProblem& problem) {
-  SelectionKernel kernel(problem);
+Search::Result greedily(const SelectionProblem& problem, const Deadline& deadline) {
+  SelectionKernel kernel(problem, deadline);
   kernel.finish_greedily();
   std::vector<Index> served;
   for (const Index e : kernel.taken())
@@ -54,9 +55,9 @@ Search::Result greedily(const SelectionProblem& problem) {
 }
 
 Search::Result Search::solve(const SelectionProblem& problem) {
-  const SelectionKernel kernel(problem);
+  const SelectionKernel kernel(problem, deadline_);
   Result all{kernel.taken(), 0, 0};
-  for (const SelectionPart& part : parts_of(problem, kernel)) {
+  for (const SelectionPart& part : parts_of(problem, kernel, deadline_)) {
     const Result result = solve_part(part.problem);
     for (const Index e : result.edges) all.edges.push_back(part.edges[e]);
     all.unserved += result.unserved;
@@ -66,19 +67,28 @@ Search::Result Search::solve(const SelectionProblem& problem) {
 }
 
 Search::Result Search::solve_part(const SelectionProblem& problem) {
-  Result best = greedily(problem);
+  Result best{{}, problem.edges_of.size(), 0};
+  try {
+    best = greedily(problem, deadline_);
+    improve(best, problem);
+  } catch (const TimeIsUp&) {  // what there is by then is a selection, and its bound is one
+  }
+  return best;
+}
+
+void Search::improve(Result& best, const SelectionProblem& problem) {
   const std::size_t edges = problem.rivals.size(), variables = edges + problem.edges_of.size();
   std::size_t work = variables;
   for (Index e = 0; e < edges; ++e) work += problem.rivals[e].size() / 2;
-  if (work > work_left_ / 4 || deadline_.passed()) return best;
+  if (work > work_left_ / 4 || deadline_.passed()) return;
   work_left_ -= work;
   std::vector<double> costs(variables, 0);
   std::fill(costs.begin() + std::ptrdiff_t(edges), costs.end(), 1.0);
-  LinearRelaxation relaxation(rows_of(problem), variables, deadline_);
+  LinearRelaxation relaxation(rows_of(problem, deadline_), variables, deadline_);
   relaxation.set_costs(costs);
   relaxation.solve({});
   best.bound = std::size_t(std::max(std::ceil(relaxation.bound()), 0.0));
-  if (best.unserved == best.bound) return best;
+  if (best.unserved == best.bound) return;
 
   // The edge that is mostly in; where it is, and where it is not.
   const std::vector<double> values = relaxation.values();
@@ -86,11 +96,10 @@ Search::Result Search::solve_part(const SelectionProblem& problem) {
   const auto edge = Index(in - values.begin());
   const Result with = solve_with(problem, edge);
   if (with.unserved < best.unserved) best = {with.edges, with.unserved, best.bound};
-  if (best.unserved == best.bound) return best;
+  if (best.unserved == best.bound) return;
   const Result without = solve_without(problem, edge);
   if (without.unserved < best.unserved) best = {without.edges, without.unserved, best.bound};
   best.bound = std::max(best.bound, std::min(with.bound, without.bound));
-  return best;
 }
 
 Search::Result Search::solve_with(const SelectionProblem& problem, Index edge) {
@@ -148,8 +157,8 @@ Search::Result Search::solve_rest(const SelectionProblem& problem,
 
 Selection select_edges(const SelectionProblem& problem, const Deadline& deadline,
                        std::size_t most_work) {
-  const SelectionKernel kernel(problem);
-  std::vector<SelectionPart> parts = parts_of(problem, kernel);
+  const SelectionKernel kernel(problem, deadline);
+  std::vector<SelectionPart> parts = parts_of(problem, kernel, deadline);
   std::vector<Search::Result> results(parts.size());
   parallel_for(0, parts.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)

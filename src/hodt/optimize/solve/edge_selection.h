@@ -31,7 +31,8 @@ struct Selection {
 /// each a program in zeros and ones: a variable for each edge and for each target that goes
 /// without. A program's work is its variables and pairs of rivals: all programs of a part together
 /// are allowed `most_work`, and each a quarter of what is left. On parts where that ends the
-/// search, the selection may not be the best, and `unserved` not be reached.
+/// search, the selection may not be the best, and `unserved` not be reached. Throws TimeIsUp if the
+/// deadline passes before there is any selection.
 Selection select_edges(const SelectionProblem& problem, const Deadline& deadline,
                        std::size_t most_work);
 

@@ -4,8 +4,9 @@
 
 namespace hodt {
 
-SelectionKernel::SelectionKernel(const SelectionProblem& problem)
+SelectionKernel::SelectionKernel(const SelectionProblem& problem, const Deadline& deadline)
     : problem_(problem),
+      deadline_(deadline),
       has_edge_(problem.rivals.size(), true),
       has_target_(problem.edges_of.size(), true),
       is_queued_(problem.edges_of.size(), false),
@@ -24,6 +25,7 @@ void SelectionKernel::shrink() {
     const Index t = queue_[i];
     is_queued_[t] = false;
     if (!has_target_[t]) continue;
+    deadline_.check();
     const std::vector<Index> edges = edges_of(t);
     if (edges.empty())
       has_target_[t] = false;
@@ -79,9 +81,11 @@ void SelectionKernel::drop(Index edge) {
 }
 
 void SelectionKernel::drop_worse_edges(const std::vector<Index>& edges) {
-  for (const Index e : edges)
+  for (const Index e : edges) {
+    deadline_.check();
     for (const Index f : edges)
       if (e != f && has_edge_[e] && has_edge_[f] && is_as_good(e, f)) drop(f);
+  }
 }
 
 /// Whether whoever has f could as well have e.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hodt/base/buffer.h"
+#include "hodt/base/deadline.h"
 #include "hodt/optimize/solve/edge_selection.h"
 
 namespace hodt {
@@ -14,7 +15,8 @@ namespace hodt {
 /// no more. What is left is the kernel.
 class SelectionKernel {
  public:
-  explicit SelectionKernel(const SelectionProblem& problem);
+  /// Throws TimeIsUp if the deadline passes.
+  explicit SelectionKernel(const SelectionProblem& problem, const Deadline& deadline = {});
 
   /// Takes edges until no target is left: each in turn gets the one that excludes the fewest.
   void finish_greedily();
@@ -55,6 +57,7 @@ class SelectionKernel {
   void drop(Index edge);
 
   const SelectionProblem& problem_;
+  const Deadline deadline_;
   Buffer<bool> has_edge_, has_target_, is_queued_;
   Buffer<Index> rivals_left_;   // of each edge
   Buffer<Index> targets_left_;  // of each edge

@@ -2,8 +2,8 @@
 
 namespace hodt {
 
-std::vector<SelectionPart> parts_of(const SelectionProblem& problem,
-                                    const SelectionKernel& kernel) {
+std::vector<SelectionPart> parts_of(const SelectionProblem& problem, const SelectionKernel& kernel,
+                                    const Deadline& deadline) {
   std::vector<SelectionPart> parts;
   Buffer<bool> is_seen(problem.edges_of.size(), false);
   for (Index seed = 0; seed < is_seen.size(); ++seed) {
@@ -19,6 +19,7 @@ std::vector<SelectionPart> parts_of(const SelectionProblem& problem,
     };
     for (std::size_t i = 0; i < targets.size(); ++i)
       for (const Index e : kernel.edges_of(targets[i])) {
+        deadline.check();
         see(e);
         for (const Index rival : kernel.rivals(e)) see(rival);
       }

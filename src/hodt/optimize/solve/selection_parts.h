@@ -45,6 +45,8 @@ SelectionPart part_of(const SelectionProblem& whole, std::vector<Index> targets,
 }
 
 /// What the kernel leaves falls apart into targets that share edges, or have edges that are rivals.
-std::vector<SelectionPart> parts_of(const SelectionProblem& problem, const SelectionKernel& kernel);
+/// Throws TimeIsUp if the deadline passes.
+std::vector<SelectionPart> parts_of(const SelectionProblem& problem, const SelectionKernel& kernel,
+                                    const Deadline& deadline);
 
 }  // namespace hodt

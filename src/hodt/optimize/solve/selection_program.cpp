@@ -9,13 +9,14 @@ namespace hodt {
 namespace {
 
 /// Edges that all exclude each other, so that every pair of rivals is in one such clique.
-std::vector<std::vector<Index>> cliques(const SelectionProblem& problem) {
+std::vector<std::vector<Index>> cliques(const SelectionProblem& problem, const Deadline& deadline) {
   const auto are_rivals = [&](Index a, Index b) {
     return std::binary_search(problem.rivals[a].begin(), problem.rivals[a].end(), b);
   };
   std::vector<std::vector<Index>> cliques, covered(problem.rivals.size());
   for (Index e = 0; e < covered.size(); ++e)
     for (const Index f : problem.rivals[e]) {
+      deadline.check();
       if (f < e || std::find(covered[e].begin(), covered[e].end(), f) != covered[e].end()) continue;
       std::vector<Index> clique{e, f};
       for (const Index g : problem.rivals[e])
@@ -32,7 +33,7 @@ std::vector<std::vector<Index>> cliques(const SelectionProblem& problem) {
 
 }  // namespace
 
-BinaryRows rows_of(const SelectionProblem& problem) {
+BinaryRows rows_of(const SelectionProblem& problem, const Deadline& deadline) {
   const auto edges = Index(problem.rivals.size()), targets = Index(problem.edges_of.size());
   std::vector<std::pair<Index, Index>> entries;  // column and row
   BinaryRows rows;
@@ -42,7 +43,7 @@ BinaryRows rows_of(const SelectionProblem& problem) {
     rows.low.push_back(1);
     rows.high.push_back(BinaryRows::kInfinite);
   }
-  for (const std::vector<Index>& clique : cliques(problem)) {
+  for (const std::vector<Index>& clique : cliques(problem, deadline)) {
     for (const Index e : clique) entries.emplace_back(e, Index(rows.low.size()));
     rows.low.push_back(-BinaryRows::kInfinite);
     rows.high.push_back(1);

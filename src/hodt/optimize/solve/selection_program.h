@@ -1,6 +1,7 @@
 // A problem of selection as a program in zeros and ones.
 #pragma once
 
+#include "hodt/base/deadline.h"
 #include "hodt/optimize/solve/edge_selection.h"
 #include "hodt/optimize/solve/linear_relaxation.h"
 
@@ -8,6 +9,7 @@ namespace hodt {
 
 /// The variables are the edges, and then the targets, which are one if
 /// they go without. One edge of a clique at most makes for a better relaxation than pairs do.
-BinaryRows rows_of(const SelectionProblem& problem);
+/// Throws TimeIsUp if the deadline passes.
+BinaryRows rows_of(const SelectionProblem& problem, const Deadline& deadline);
 
 }  // namespace hodt

@@ -130,7 +130,7 @@ FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
   // The value at hand needs no program.
   std::size_t first = proven, last = std::max(place_of(face.value), proven);
   FaceSolution best;
-  while (first < last) {
+  while (first < last && !program.is_out_of_time()) {
     const std::size_t middle = first + (last - first) / 2;
     std::vector<double> costs;
     for (const FaceTriangle& t : face.triangles)
@@ -148,6 +148,7 @@ FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
     }
   }
   best.bound = candidates[proven];
+  if (program.is_out_of_time()) return best;
   // With the worst value as it is, the others as good as can be.
   double worst = best.chosen.empty() ? face.value : values.neutral();
   for (const Index t : best.chosen) worst = values.combine(worst, face.triangles[t].value);
@@ -174,6 +175,12 @@ FaceSolution best_best(BinaryProgram& program, const FaceProblem& face, const Co
 }
 
 }  // namespace
+
+bool FaceProgram::fits(const FaceProblem& face, const Deadline& deadline) {
+  constexpr double kSecondsATriangle = 2e-5;
+  return !deadline.is_limited() ||
+         deadline.seconds_left() > kSecondsATriangle * double(face.triangles.size());
+}
 
 FaceProgram::FaceProgram(const FaceProblem& face, const Deadline& deadline,
                          std::size_t most_programs)

@@ -18,6 +18,10 @@ class FaceProgram {
  public:
   FaceProgram(const FaceProblem& face, const Deadline& deadline, std::size_t most_programs);
 
+  /// Whether there is time to begin: the solver looks at the clock only once it has taken up all
+  /// triangles.
+  static bool fits(const FaceProblem& face, const Deadline& deadline);
+
   /// The bound is valid always; `chosen` is empty if the deadline, or `most_programs` for one
   /// vector of costs, came before a triangulation. REQUIRES the face with which it was made, up to
   /// values.

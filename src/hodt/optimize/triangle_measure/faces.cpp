@@ -25,23 +25,24 @@ double loose_bound(const FaceProblem& face, const Combination& combination) {
 
 }  // namespace
 
-Faces::Faces(const DelaunayGraph& graph, Index order)
-    : graph_(graph), fixed_(fixed_edges(graph, order)), faces_(graph, fixed_) {
+Faces::Faces(const DelaunayGraph& graph, Index order, const Deadline& deadline)
+    : graph_(graph), fixed_(fixed_edges(graph, order, deadline)), faces_(graph, fixed_) {
   std::vector<std::pair<Index, Corners>> all;
-  for_each_triangle(
-      graph, TriangleClass::valid, order, own_numbering(graph.xy.size()),
-      [&](std::span<const TriangleRecord> piece) {
-        const std::size_t before = all.size();
-        all.resize(before + piece.size());
-        parallel_for(0, piece.size(), 1 << 10, [&](std::size_t i, std::size_t last) {
-          for (; i < last; ++i) {
-            Corners c{VertexId(piece[i].a), VertexId(piece[i].b), VertexId(piece[i].c)};
-            if (orient(graph.point(c[0]), graph.point(c[1]), graph.point(c[2])) < 0)
-              std::swap(c[1], c[2]);
-            all[before + i] = {face_of(c), c};
-          }
-        });
-      });
+  const auto add = [&](std::span<const TriangleRecord> piece) {
+    const std::size_t before = all.size();
+    all.resize(before + piece.size());
+    parallel_for(0, piece.size(), 1 << 10, [&](std::size_t i, std::size_t last) {
+      deadline.check();
+      for (; i < last; ++i) {
+        Corners c{VertexId(piece[i].a), VertexId(piece[i].b), VertexId(piece[i].c)};
+        if (orient(graph.point(c[0]), graph.point(c[1]), graph.point(c[2])) < 0)
+          std::swap(c[1], c[2]);
+        all[before + i] = {face_of(c), c};
+      }
+    });
+  };
+  for_each_triangle(graph, TriangleClass::valid, order, own_numbering(graph.xy.size()), add,
+                    deadline);
   first_.assign(faces_.size() + 1, 0);
   for (const auto& [face, corners] : all) ++first_[face + 1];
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -50,23 +51,39 @@ Faces::Faces(const DelaunayGraph& graph, Index order)
   for (const auto& [face, corners] : all) triangles_[next[face]++].corners = corners;
 }
 
-/// That of the Delaunay triangle which the triangle begins in, at one corner.
+/// That of the Delaunay triangle which the triangle begins in, at one corner: the first at which
+/// few triangles have to be looked at for it. Hubs are corners of very many triangles.
 Index Faces::face_of(const Corners& t) const {
+  constexpr Index kFew = 128;
+  for (Index corner = 0; corner < 3; ++corner)
+    if (const TriangleId place = beginning_at(t[corner], t[(corner + 1) % 3], kFew); place.valid())
+      return faces_.face_of(place);
+  return faces_.face_of(beginning_at(t[0], t[1], kNone));
+}
+
+/// The Delaunay triangle at v that a triangle with the side vw begins in, on the left of it; kNone
+/// if it is not among the first `most`.
+TriangleId Faces::beginning_at(VertexId v, VertexId w, Index most) const {
   const TriangleMesh& mesh = graph_.mesh;
-  const Point &a = graph_.point(t[0]), &b = graph_.point(t[1]);
-  Index face = kNone;
-  for_each_outgoing(mesh, graph_.outgoing[t[0]], [&](HalfEdgeId h) {
-    if (face != kNone) return;
+  const Point &a = graph_.point(v), &b = graph_.point(w);
+  const HalfEdgeId start = graph_.outgoing[v];
+  HalfEdgeId h = start;
+  do {
     if (orient(a, graph_.point(mesh.target(h)), b) >= 0 &&
         orient(a, b, graph_.point(mesh.apex(h))) > 0)
-      face = faces_.face_of(TriangleMesh::triangle(h));
-  });
-  return face;
+      return TriangleMesh::triangle(h);
+    h = mesh.rotate_ccw(h);
+  } while (h.valid() && h != start && --most > 0);
+  return {};
 }
 
 FaceSolution Faces::solve(Index face, const Combination& combination, double value,
                           const Deadline& deadline, std::size_t most_programs,
                           PolygonOptimum& polygon, std::unique_ptr<FaceProgram>* program) {
+  const auto bound_only = [&](const FaceProblem& problem) {
+    return FaceSolution{{}, loose_bound(problem, combination)};
+  };
+  if (deadline.passed()) return bound_only({triangles(face), {}, places(face).size(), value});
   std::vector<std::pair<VertexId, VertexId>> sides;
   for (const TriangleId t : places(face))
     for (Index i = 0; i < 3; ++i)
@@ -75,7 +92,7 @@ FaceSolution Faces::solve(Index face, const Combination& combination, double val
   const FaceProblem problem{triangles(face), sides, places(face).size(), value};
   if (std::optional<FaceSolution> best = polygon.solve(problem, combination))
     return *std::move(best);
-  if (deadline.passed()) return {{}, loose_bound(problem, combination)};
+  if (!FaceProgram::fits(problem, deadline)) return bound_only(problem);
   std::unique_ptr<FaceProgram> own;
   std::unique_ptr<FaceProgram>& kept = program != nullptr ? *program : own;
   if (!kept) kept = std::make_unique<FaceProgram>(problem, deadline, most_programs);

@@ -21,7 +21,8 @@ namespace hodt {
 /// triangles, all of them valid, is in one face. A view: the graph must outlive it.
 class Faces {
  public:
-  Faces(const DelaunayGraph& graph, Index order);
+  /// Throws TimeIsUp if the deadline passes.
+  Faces(const DelaunayGraph& graph, Index order, const Deadline& deadline);
   Faces(const Faces&) = delete;
   Faces& operator=(const Faces&) = delete;
 
@@ -45,6 +46,7 @@ class Faces {
 
  private:
   Index face_of(const std::array<VertexId, 3>& corners) const;
+  TriangleId beginning_at(VertexId v, VertexId w, Index most) const;
 
   const DelaunayGraph& graph_;
   const Buffer<bool> fixed_;

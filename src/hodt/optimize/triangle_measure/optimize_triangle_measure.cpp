@@ -10,6 +10,7 @@
 #include "hodt/mesh/replace_triangles.h"
 #include "hodt/optimize/flip/flips.h"
 #include "hodt/optimize/measure/measures.h"
+#include "hodt/optimize/measure/trivial_bound.h"
 #include "hodt/optimize/triangle_measure/faces.h"
 #include "hodt/order/first_order/first_order.h"
 
@@ -53,9 +54,17 @@ class Optimizer {
   }
 
   MeasuredSolution run() && {
-    solve_faces();
+    // What there is if time runs out, and what a face's program need not exceed.
+    improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh_);
+    double bound = 0;
+    try {
+      solve_faces();
+      bound = bound_.bound();
+    } catch (const TimeIsUp&) {  // not all faces are known, and none is solved
+      bound = trivial_bound(problem_.objective, graph_.xy, graph_.mesh);
+    }
     const double before = values_.of(graph_.mesh), result = values_.of(mesh_);
-    return measured(values_, MeshChange(std::move(mesh_)), before, result, bound_.bound());
+    return measured(values_, MeshChange(std::move(mesh_)), before, result, bound);
   }
 
  private:
@@ -100,14 +109,12 @@ void Optimizer::take(Faces& faces, Index face, const FaceSolution& solution) {
 
 void Optimizer::solve_faces() {
   constexpr std::size_t kPrograms = 400, kExactPrograms = 1'000'000;
-  Faces faces(graph_, problem_.order);
+  Faces faces(graph_, problem_.order, problem_.deadline);
   const std::span<FaceTriangle> triangles = faces.triangles();
   parallel_for(0, triangles.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
     for (FaceTriangle& t : triangles.subspan(first, last - first))
       t.value = values_.of(t.corners[0], t.corners[1], t.corners[2]);
   });
-  // What there is if time runs out, and what a face's program need not exceed.
-  improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh_);
   std::vector<FaceSolution> solutions(faces.size());
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces.size(), 1, [&](std::size_t first, std::size_t last) {

@@ -23,7 +23,7 @@ ImageLine::ImageLine(const Point& a, const Point& b) : normal{b.y - a.y, a.x - b
 }
 
 void AngularHulls::build(const Point& u, std::span<const Point> points,
-                         std::span<const Point> images) {
+                         std::span<const Point> images, const Deadline& deadline) {
   u_ = u;
   points_ = points;
   images_ = images;
@@ -31,6 +31,7 @@ void AngularHulls::build(const Point& u, std::span<const Point> points,
   used_ = 0;
   const auto n = static_cast<Index>(points.size());
   for (Index size = 1; size <= n; size *= 2) {
+    deadline.check();
     if (levels_.size() == used_) levels_.emplace_back();
     std::vector<Run>& runs = levels_[used_++];
     runs.clear();

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
 #include "hodt/geometry/point.h"
 
@@ -18,8 +19,10 @@ namespace hodt {
 class AngularHulls {
  public:
   /// The points, in counter-clockwise order of their directions from u, all different. `images` are
-  /// theirs, rounded; they only save tests. All must outlive it.
-  void build(const Point& u, std::span<const Point> points, std::span<const Point> images);
+  /// theirs, rounded; they only save tests. All must outlive it. Throws TimeIsUp if the deadline
+  /// passes.
+  void build(const Point& u, std::span<const Point> points, std::span<const Point> images,
+             const Deadline& deadline = {});
 
   /// Of the points first, …, last - 1 (going on at the beginning after the last of all), the one
   /// whose circle with u and v holds no other of them. REQUIRES first < last, and that all are on

@@ -34,7 +34,7 @@ Point middle(const Point& a, const Point& b) {
 
 }  // namespace
 
-void KLevel::build(std::span<const Point> points, Index k) {
+void KLevel::build(std::span<const Point> points, Index k, const Deadline& deadline) {
   k_ = k;
   const auto n = static_cast<Index>(points.size());
   most_stored_ = kMostStored * points.size();
@@ -48,6 +48,7 @@ void KLevel::build(std::span<const Point> points, Index k) {
     sectors_.push_back({.from = direction(i), .to = direction(i + 1), .first = 0, .last = n});
   // The widest come first: should there be too much to store, all are equally wide in the end.
   for (std::size_t at = 0; at < sectors_.size(); ++at) {
+    deadline.check();
     bound(sectors_[at]);
     if (!is_worth_splitting(sectors_[at])) continue;
     Sector child = sectors_[at];

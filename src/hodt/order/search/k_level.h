@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
 #include "hodt/geometry/point.h"
 
@@ -16,7 +17,8 @@ namespace hodt {
 /// the only other answer. Keeps its memory for the next set.
 class KLevel {
  public:
-  void build(std::span<const Point> points, Index k);
+  /// Throws TimeIsUp if the deadline passes.
+  void build(std::span<const Point> points, Index k, const Deadline& deadline = {});
 
   /// p·n is off by less than so much of |p|, for the points p and for n of length 1, both rounded.
   static constexpr double kRounding = 1e-9;

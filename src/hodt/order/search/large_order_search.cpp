@@ -42,17 +42,18 @@ void LargeOrderSearch::gather() {
   std::size_t enough = 6 * std::size_t(limit_), checked = 0;
   for (std::size_t i = 0; i < around_.size(); ++i) {
     if (around_.size() >= enough) {
-      level_.build(all_images_, limit_);
+      level_.build(all_images_, limit_, deadline_);
       checked = around_.size();
       enough = around_.size() + around_.size() / 2;
     }
+    if (i % 1024 == 0) deadline_.check();
     if (checked > 0 && level_.surely_deep(all_images_[i]))
       around_[i].is_ruled_out = true;
     else
       graph_.for_each_onward(around_[i].vertex, u_, take);
   }
   // The level of a part is a bound, too.
-  if (around_.size() > checked + checked / 4) level_.build(all_images_, limit_);
+  if (around_.size() > checked + checked / 4) level_.build(all_images_, limit_, deadline_);
 }
 
 /// Counter-clockwise. Of several in the same direction only the nearest can have an edge to u, or
@@ -86,7 +87,7 @@ void LargeOrderSearch::build_hulls() {
     around_[kept++] = v;
   }
   around_.resize(kept);
-  hulls_.build(u, points_, images_);
+  hulls_.build(u, points_, images_, deadline_);
 }
 
 bool LargeOrderSearch::is_same_direction(const Point& a, const Point& b) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/search/angular_hulls.h"
 #include "hodt/order/search/k_level.h"
@@ -20,6 +21,8 @@ namespace hodt {
 class LargeOrderSearch {
  public:
   LargeOrderSearch(const DelaunayGraph& graph, const PointTree& tree);
+  /// From then on searches throw TimeIsUp.
+  void end_at(const Deadline& deadline) { deadline_ = deadline; }
 
   /// Calls found(v, order) for every useful edge uv of order 1 to `limit` with wanted(v), in no
   /// particular order.
@@ -31,6 +34,7 @@ class LargeOrderSearch {
     sort_by_direction();
     build_hulls();
     for_each_candidate([&](VertexId v, VertexId first_left, VertexId first_right) {
+      deadline_.check();
       if (!wanted(v)) return;
       const Index order = tree_.useful_order(u_, v, first_left, first_right, limit_);
       if (order <= limit_) found(v, order);
@@ -54,6 +58,7 @@ class LargeOrderSearch {
 
   const DelaunayGraph& graph_;
   const PointTree& tree_;
+  Deadline deadline_;
   VertexId u_;
   Index limit_ = 0;
   double scale_ = 1;  // a power of two that brings offsets from u close to 1
@@ -75,6 +80,7 @@ void LargeOrderSearch::for_each_candidate(const Candidate& candidate) const {
     const auto turn_to = [&](Index j) {
       return orient(graph_.point(u_), points_[i], points_[j % n]);
     };
+    deadline_.check();
     left_end = std::max(left_end, i + 1);
     while (left_end < i + n && turn_to(left_end) > 0) ++left_end;
     right_begin = std::max(right_begin, left_end);

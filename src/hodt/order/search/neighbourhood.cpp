@@ -28,6 +28,7 @@ bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
   std::fill_n(least_order_.begin(), degree_, 0);
   for (Index next = degree_; next < size_;) {
     const Index end = size_;
+    deadline_.check();
     if (!bound_orders(next, end, k, effort)) return false;
     for (; next < end; ++next)
       if (least_order_[next] < k) go_on_from(vertices_[next]);
@@ -51,6 +52,7 @@ bool Neighbourhood::bound_orders(Index first, Index last, Index k, std::size_t& 
   for (Index i = first; i < last; ++i) {
     Index& least = least_order_[i];
     if (least > k) continue;
+    deadline_.check();
     least = std::max(least, points_.surely_inside(i, k + 1));
     std::size_t cost = size_;
     if (least < k) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/search/local_points.h"
 #include "hodt/order/search/sector_levels.h"
@@ -35,6 +36,9 @@ class Neighbourhood {
   /// not complete.
   bool gather(VertexId u, Index k, std::size_t effort = std::numeric_limits<std::size_t>::max());
 
+  /// From then on gather() throws TimeIsUp.
+  void end_at(const Deadline& deadline) { deadline_ = deadline; }
+
   const DelaunayGraph& graph() const { return graph_; }
   VertexId centre() const { return centre_; }
   Index size() const { return size_; }
@@ -56,6 +60,7 @@ class Neighbourhood {
   bool bound_orders(Index first, Index last, Index k, std::size_t& effort);
 
   const DelaunayGraph& graph_;
+  Deadline deadline_;
   VertexId centre_;
   Index size_ = 0, degree_ = 0;
   std::vector<VertexId> vertices_;

@@ -9,6 +9,12 @@
 
 namespace hodt {
 
+/// Not in the code in lanes (see place_of).
+template <Index kWords>
+void WindowWalk<kWords>::look_at_the_time() const {
+  deadline_.check();
+}
+
 /// No points but u.
 template <Index kWords>
 void WindowWalk<kWords>::forget() {
@@ -131,6 +137,7 @@ HODT_INLINE void WindowWalk<kWords>::begin_at_all() {
 template <Index kWords>
 template <Index N>
 HODT_INLINE void WindowWalk<kWords>::begin_at_next() {
+  look_at_the_time();
   const TriangleMesh& mesh = graph_.mesh;
   const HalfEdgeId h = next_;
   next_ = mesh.rotate_ccw(h);

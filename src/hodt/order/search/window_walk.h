@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/search/near_points.h"
 
@@ -23,6 +24,8 @@ template <Index kWords>
 class WindowWalk {
  public:
   explicit WindowWalk(const DelaunayGraph& graph) : graph_(graph) {}
+  /// From then on find_next() throws TimeIsUp, if u has very many neighbours.
+  void end_at(const Deadline& deadline) { deadline_ = deadline; }
 
   /// Starts at u. The candidates to come hold all other ends of useful edges of order 1 to k, each
   /// once.
@@ -72,6 +75,7 @@ class WindowWalk {
   };
   enum class Side { left, right };
 
+  void look_at_the_time() const;
   void forget();
   template <Index N>
   HODT_INLINE void begin_at_all();
@@ -98,6 +102,7 @@ class WindowWalk {
   const Point& point(Index place) const { return graph_.point(vertices_[place]); }
 
   const DelaunayGraph& graph_;
+  Deadline deadline_;
   VertexId u_;
   Index k_ = 0;
   Towards towards_ = Towards::all;

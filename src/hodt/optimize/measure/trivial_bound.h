@@ -1,0 +1,17 @@
+// What is certain of a measure before anything is computed.
+#pragma once
+
+#include <span>
+
+#include "hodt/geometry/point.h"
+#include "hodt/mesh/triangle_mesh.h"
+#include "hodt/optimize/objective.h"
+
+namespace hodt {
+
+/// No triangulation of the points is better, of whatever order, and the number is finite: what is
+/// left to say where time was too short for a better bound. The mesh is any triangulation.
+double trivial_bound(const Objective& objective, std::span<const Point> xy,
+                     const TriangleMesh& mesh);
+
+}  // namespace hodt
