@@ -212,7 +212,8 @@ Quad far_wider_than_high(Random& random) {
 // Points x · 1e150, y · 1e-150 took big integers for every question, 1.4 ms a point for edges.
 TEST(Stages, LongDoublesDecideWhatSpansMoreBits) {
   if (!has_long_stage()) GTEST_SKIP();
-  EXPECT_GE(share(quads::any_bits, Stage::kLong), 0.9);
+  // Where one number is larger than the others by more digits than there are, nothing is left.
+  EXPECT_GE(share(quads::any_bits, Stage::kLong), 0.6);
   EXPECT_GE(share(far_wider_than_high, Stage::kLong), 0.999);
 }
 

@@ -10,8 +10,8 @@
 namespace hodt {
 
 /// No triangulation of the points is better, of whatever order, and the number is finite: what is
-/// left to say where time was too short for a better bound. The mesh is any triangulation.
+/// left to say where time was too short for a better bound. In linear time.
 double trivial_bound(const Objective& objective, std::span<const Point> xy,
-                     const TriangleMesh& mesh);
+                     const TriangleMesh& delaunay);
 
 }  // namespace hodt
