@@ -81,8 +81,19 @@ TEST(ColumnNames, the_surest_pair_is_taken) {
   EXPECT_EQ(found({"x", "x", "y"}), "-2-");
   EXPECT_EQ(found({"x", "y", "z", "z"}), "01-");
   EXPECT_EQ(found({"foo", "bar"}), "---");
-  EXPECT_FALSE(find_columns({"foo", "bar"}).any_known);
-  EXPECT_TRUE(find_columns({"foo", "id"}).any_known);
+}
+
+TEST(ColumnNames, that_only_number_the_columns) {
+  using Names = std::vector<std::string>;
+  for (const Names& names :
+       {Names{"V1", "V2", "V3"}, Names{"a", "b", "c"}, Names{"A", "B"}, Names{"field_0", "field_1"},
+        Names{"Column 1", "Column 2", "Column 3"}})
+    EXPECT_TRUE(only_number_columns(names)) << listed(names);
+  for (const Names& names :
+       {Names{}, Names{"", "", ""}, Names{"b", "c", "d"}, Names{"V2", "V1", "V3"},
+        Names{"V1", "V2", "Z3"}, Names{"a", "c", "b"}, Names{"aa", "ab", "ac"},
+        Names{"abszisse", "pravac", "stojka"}, Names{"V1", "V2", ""}})
+    EXPECT_FALSE(only_number_columns(names)) << listed(names);
 }
 
 TEST(ColumnNames, units_are_known) {

@@ -431,6 +431,9 @@ TEST_F(PointDialects, points_numbers_are_not_taken_for_x) {
       {"17 5000 5000 100 3\n23 5010 5000 101 3\n", "points.csv:", "could be the numbers"},
       {"1 2 3 4 5\n6 7 8 9 GND\n", "line 2:", "'GND' in column 5"},
       {"a,b,c\n1,5,5\n2,6,5\n3,7,7\n", "points.csv:", "counts the rows"},
+      {"pravac,stojka,vis\n0,0,5\n0,1,5\n1,0,6\n",
+       "line 1:", "do not say which columns are x and y"},
+      {"first,second\n0,0\n0,1\n1,0\n", "line 1:", "do not say which columns are x and y"},
   };
   for (const Refused& c : cases) {
     expect_refused(error(c.content), c);
@@ -527,7 +530,7 @@ TEST_F(PointDialects, warnings_say_what_looks_wrong) {
   EXPECT_NE(warning("1,5000,5000\n2,5010,5000\n3,5,6\n").find("x counts 1, 2, 3"),
             std::string::npos);
   EXPECT_NE(warning("x,y,z\n7,5,5\n8,5,6\n9,6,6\n").find("x counts 7, 8, 9"), std::string::npos);
-  EXPECT_NE(warning("first,second,third\n5,6,7\n").find("say nothing"), std::string::npos);
+  EXPECT_NE(warning("V1,V2,V3\n5,6,7\n").find("only number the columns"), std::string::npos);
   EXPECT_NE(warning("x,y,Band 1\n1,2,3\n").find("--columns z=Band 1"), std::string::npos);
   EXPECT_NE(warning("0 0 5\n0 1 6\n1 0 -9999\n").find("1 of 3 heights is -9999"),
             std::string::npos);

@@ -63,7 +63,7 @@ TEST_F(PointFile, FindsColumnsByName) {
   expect_three(read("Easting;Northing;Elevation [m]\n1;2;3\n4;5;6\n7.5;-8;1e3\n"));
   expect_three(read("lat,lon,height\n2,1,3\n5,4,6\n-8,7.5,1e3\n"));
   expect_three(read("lon,lat,x,y,z\n0,0,1,2,3\n0,0,4,5,6\n0,0,7.5,-8,1e3\n"));
-  expect_three(read("first,second,third\n1,2,3\n4,5,6\n7.5,-8,1e3\n"));
+  expect_three(read("V1,V2,V3\n1,2,3\n4,5,6\n7.5,-8,1e3\n"));
   expect_three(read("x,y,z,remark\n1,2,3,a\n4,5,6\n7.5,-8,1e3,\n"));
 }
 

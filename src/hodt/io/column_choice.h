@@ -1,4 +1,5 @@
 // Which columns the user says are the coordinates.
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <array>

@@ -195,8 +195,6 @@ class ColumnSearch {
   }
 
   NamedColumns find() && {
-    found_.any_known = std::any_of(roles_.begin(), roles_.end(),
-                                   [](ColumnRole role) { return role != ColumnRole::unknown; });
     find_plane();
     find_height();
     return std::move(found_);
@@ -276,6 +274,20 @@ ColumnRole role_of(std::string_view name) {
 
 NamedColumns find_columns(const std::vector<std::string>& names) {
   return ColumnSearch(names).find();
+}
+
+bool only_number_columns(const std::vector<std::string>& names) {
+  if (names.empty() || names[0].empty()) return false;
+  const char first = names[0].back();
+  const std::string stem = names[0].substr(0, names[0].size() - 1);
+  const bool is_number = first == '0' || first == '1';
+  if (!is_number && !(stem.empty() && (first == 'a' || first == 'A'))) return false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string next = is_number ? std::to_string(std::size_t(first - '0') + i)
+                                       : std::string(1, static_cast<char>(first + i));
+    if (names[i] != stem + next) return false;
+  }
+  return true;
 }
 
 std::optional<std::size_t> column_called(const std::string& name,

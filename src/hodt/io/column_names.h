@@ -18,7 +18,6 @@ ColumnRole role_of(std::string_view name);
 
 struct NamedColumns {
   std::optional<std::size_t> x, y, z;
-  bool any_known = false;  ///< some name says something, be it that its column is no coordinate
   /// Why the names do not tell which columns are x and y although they name coordinates.
   std::string plane_problem;
   bool several_planes = false;  ///< the problem is that they name too many
@@ -31,6 +30,9 @@ struct NamedColumns {
 /// x and y come from columns with exactly these names; else from east and north or the like; else
 /// longitude is x and latitude is y. Where two columns could be the same, that is a problem.
 NamedColumns find_columns(const std::vector<std::string>& names);
+
+/// Whether the names say nothing but where their columns are: "V1", "V2", "V3" or "a", "b", "c".
+bool only_number_columns(const std::vector<std::string>& names);
 
 /// The column with this name, if need be in another case.
 std::optional<std::size_t> column_called(const std::string& name,

@@ -1,4 +1,5 @@
 // What the text in a field of a table can be.
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // What a file is that is no table of points.
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <string>

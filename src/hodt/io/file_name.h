@@ -1,4 +1,5 @@
 // Formats told by a file's name.
+// Tested by tests/app/faults_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // GeoJSON (RFC 7946), as far as it takes to write polygons.
+// Tested by tests/io/places_file_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // Unpacking and packing gzip.
+// Tested by tests/io/point_file_test.cpp.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,5 @@
 // A whole file in memory, unpacked.
+// Tested by tests/io/point_file_test.cpp.
 #pragma once
 
 #include <cstddef>

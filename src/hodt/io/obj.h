@@ -1,4 +1,5 @@
 // Wavefront OBJ, as far as it says "mesh": v and f lines.
+// Tested by tests/io/tin_file_test.cpp.
 #pragma once
 
 #include "hodt/io/atomic_write.h"

@@ -1,4 +1,5 @@
 // Many records formatted by all cores, written in order.
+// Tested by tests/io/point_file_test.cpp.
 #pragma once
 
 #include <algorithm>

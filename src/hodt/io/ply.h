@@ -1,4 +1,5 @@
 // PLY (Stanford polygon files), text and binary.
+// Tested by tests/io/tin_file_test.cpp.
 #pragma once
 
 #include "hodt/io/atomic_write.h"

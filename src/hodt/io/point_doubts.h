@@ -1,4 +1,5 @@
 // What looks wrong about points that could be read: values that are numbers, but no coordinates.
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // Points from text tables: CSV, TSV and white-space separated XYZ.
+// Tested by tests/io/point_file_test.cpp.
 #pragma once
 
 #include <string>

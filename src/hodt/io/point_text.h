@@ -1,4 +1,5 @@
 // A point written as well-known text: POINT Z (600000 200000 451.5).
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <string_view>

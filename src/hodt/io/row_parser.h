@@ -1,4 +1,5 @@
 // Reading the rows of a table, fast.
+// Tested by tests/io/point_file_test.cpp.
 #pragma once
 
 #include <cstddef>

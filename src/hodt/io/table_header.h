@@ -1,4 +1,5 @@
 // Which lines at the top of a table are no points, and what they say.
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -146,7 +146,7 @@ class LayoutFinder {
     const NamedColumns found = find_columns(names_);
     if (!plane_chosen && !found.plane()) {
       const bool few = names_.size() <= 3 && choice_.empty();
-      if (few && !found.any_known) return use_unknown_names(columns);
+      if (few && only_number_columns(names_)) return use_unknown_names(columns);
       refuse_names(
           found.plane_problem.empty()
               ? fmt::format("the names {} do not say which columns are x and y", listed(names_))
@@ -163,14 +163,14 @@ class LayoutFinder {
     refuse(header_, fmt::format("{}; {}", problem, kSayColumns));
   }
 
-  /// Two or three columns with names that say nothing can only be x, y and z in their order, unless
-  /// the values speak against it.
+  /// Two or three columns with names that only number them are x, y and z in their order, like a
+  /// table without a header, unless the values speak against it.
   void use_unknown_names(AxisColumns& columns) {
     layout_.unknown_names = true;
     take_first(columns);
     layout_.warnings.push_back(
-        fmt::format("the names {} say nothing about coordinates; the columns were taken for x, y{} "
-                    "in their order",
+        fmt::format("the names {} only number the columns, which were taken for x, y{} in their "
+                    "order",
                     listed(names_), names_.size() > 2 ? ", z" : ""));
   }
 

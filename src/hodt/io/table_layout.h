@@ -1,4 +1,5 @@
 // Which separator a text table has, and which of its columns are the coordinates.
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <array>

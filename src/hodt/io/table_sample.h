@@ -1,5 +1,6 @@
 // The first rows of a table, on which its layout is read off. What they say is checked on every
 // row.
+// Tested by tests/io/point_dialects_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // Walking over the lines of a text in memory, which ends in a line feed (see InputText).
+// Tested by tests/io/point_file_test.cpp.
 #pragma once
 
 #include <cstddef>
