@@ -12,7 +12,7 @@ help:
 	@echo "make asan    the tests with address and undefined behaviour sanitizers"
 	@echo "make tsan    the tests with the thread sanitizer"
 	@echo "make clang   build the library and the command with clang"
-	@echo "make fuzz    every reader and the command on made-up input, FUZZ_SECONDS each (3600)"
+	@echo "make fuzz    every reader, the command and all objectives on made-up input, FUZZ_SECONDS each (3600)"
 
 # Each goal says whether it wants tests: the cache of an earlier one must not decide.
 demo:
@@ -58,7 +58,7 @@ clang:
 fuzz:
 	@scripts/dependencies.sh fuzz
 	cmake --preset fuzz
-	cmake --build --preset fuzz --target hodt_fuzz_points hodt_fuzz_ply hodt_fuzz_obj hodt_fuzz_places hodt_fuzz_gzip hodt_fuzz_command
+	cmake --build --preset fuzz --target hodt_fuzz
 	scripts/fuzz.sh
 
 lint:

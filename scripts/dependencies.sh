@@ -19,7 +19,10 @@ case $goal in
   test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev" ;;
   bench) packages="$packages libbenchmark-dev libcgal-dev" ;;
   clang) tools="$tools clang" ;;
-  fuzz) tools="$tools clang libclang-rt-14-dev" ;;
+  fuzz)
+    tools="$tools clang libclang-rt-14-dev"
+    packages="$packages libgmp-dev"
+    ;;
   *)
     echo "usage: $0 [build|test|bench|clang|fuzz] [FOLDER]" >&2
     exit 2

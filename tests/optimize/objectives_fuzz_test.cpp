@@ -1,6 +1,4 @@
-// What tests/fuzz/objectives_fuzz.cpp checks, for some random bytes: a defect aborts the test.
-#include "../fuzz/objectives_fuzz.cpp"  // NOLINT: it is a program without a main
-
+// What tests/fuzz/objectives.cpp checks, for some random bytes: a defect aborts the test.
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -8,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../fuzz/objectives.cpp"  // NOLINT: it is a program without a main
 #include <gtest/gtest.h>
 
 namespace {
