@@ -240,7 +240,8 @@ inline std::vector<hodt::Point> funnel(std::size_t n) {
   return points;
 }
 
-/// Hills, and some noise, which makes false pits.
+/// Hills, and noise that is stronger, so that a share of all points are extrema however many there
+/// are.
 inline std::vector<double> heights(const std::vector<hodt::Point>& points) {
   std::mt19937_64 random(6);
   std::normal_distribution<double> normal;
@@ -253,7 +254,7 @@ inline std::vector<double> heights(const std::vector<hodt::Point>& points) {
   for (const hodt::Point& p : points)
     z.push_back(100 * std::sin(7 * (p.x - low.x) / (high.x - low.x)) *
                     std::cos(9 * (p.y - low.y) / (high.y - low.y)) +
-                normal(random));
+                100 * normal(random));
   return z;
 }
 
