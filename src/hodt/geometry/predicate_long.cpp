@@ -1,4 +1,5 @@
 // Stage 4: floating point again, of more digits and far more range.
+// Tested by tests/geometry/predicates_test.cpp.
 #include <cfloat>
 #include <cmath>
 
@@ -46,12 +47,14 @@ int in_circle_long(const Point& a, const Point& b, const Point& c, const Point& 
   if constexpr (!kIsWider) return kUndecided;
   const Offset p(a, b), q(a, c), s(a, d);
   const long double pp = p.square(), qq = q.square(), ss = s.square();
-  const long double value =
-      (p.x * q.y - p.y * q.x) * ss + ((p.y * qq - pp * q.y) * s.x + (pp * q.x - p.x * qq) * s.y);
+  // The terms of three minors, and the factors of the minors.
+  const long double u1 = p.x * q.y, u2 = p.y * q.x;
+  const long double v1 = p.y * qq, v2 = pp * q.y;
+  const long double w1 = pp * q.x, w2 = p.x * qq;
+  const long double value = (u1 - u2) * ss + ((v1 - v2) * s.x + (w1 - w2) * s.y);
   const auto size = [](long double x) { return std::fabs(x); };
-  const long double sizes =
-      (size(p.x * q.y) + size(p.y * q.x)) * ss + ((size(p.y) * qq + pp * size(q.y)) * size(s.x) +
-                                                  (pp * size(q.x) + size(p.x) * qq) * size(s.y));
+  const long double sizes = (size(u1) + size(u2)) * ss +
+                            ((size(v1) + size(v2)) * size(s.x) + (size(w1) + size(w2)) * size(s.y));
   return sign_of(-value, 12 * kUnit * sizes);
 }
 
