@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,9 +12,11 @@
 #include "hodt/base/parallel.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
+#include "hodt/mesh/validate.h"
 #include "hodt/optimize/optimize.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
+#include "hodt/order/validate.h"
 
 namespace hodt {
 
@@ -83,6 +86,20 @@ ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
   return count_extrema(vertices.xy, vertices.z, mesh.origins());
 }
 
+[[noreturn]] void throw_defect(const std::string& what) {
+  throw std::logic_error(what +
+                         "; this is a defect of hodt, please report it with the input and options");
+}
+
+/// A mesh in place of the Delaunay triangulation is trusted no more than one from a file. (Flips
+/// are told one by one, each in its quadrilateral, and leave the mesh one.)
+void verify_mesh(std::span<const Point> points, const MeshChange& change) {
+  if (change.mesh() == nullptr) return;
+  std::string problem = connectivity_problem(*change.mesh(), Surface::disk);
+  if (problem.empty()) problem = embedding_problem(points, *change.mesh());
+  if (!problem.empty()) throw_defect("the result is no triangulation of the points: " + problem);
+}
+
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
 void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
                          const TriangulateOptions& options, Report& report) {
@@ -95,13 +112,12 @@ void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
                               .keep = keep,
                               .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
+  verify_mesh(graph.xy, optimum.change);
   report.order_histogram = order_histogram(graph, optimum.change);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)
-    throw std::logic_error(fmt::format(
-        "a triangle of order {} where {} was asked for; this is a defect of hodt, please report it "
-        "with the input",
-        report.order, options.order));
+    throw_defect(fmt::format("a triangle is of order {} where {} was asked for", report.order,
+                             options.order));
   report.value = optimum.value;
   std::move(optimum.change).apply_to(delaunay.mesh);
 }

@@ -1,4 +1,5 @@
 // The whole job: points in, a higher order Delaunay TIN out.
+// Tested by tests/exhaustive/pipeline_small_test.cpp.
 #pragma once
 
 #include <cstddef>
