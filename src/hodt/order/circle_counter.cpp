@@ -44,21 +44,15 @@ bool holds_origin_only(const DelaunayGraph& graph, const std::array<VertexId, 3>
   return *holds_only_by(graph.xy.size(), graph, corners, h);
 }
 
-void CircleCounter::begin_round() {
-  inside_.clear();
-  if (++round_ != 0) return;
-  seen_.fill(0);
-  round_ = 1;
-}
-
 Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
                            VertexId perhaps_inside) {
-  begin_round();
+  inside_.clear();
+  seen_.begin_round();
   // The three are on the circle: to ask would send each to exact arithmetic, for a known answer.
-  for (const VertexId v : {a, b, c}) first_visit(v);
+  for (const VertexId v : {a, b, c}) seen_.mark(v);
   const Circle circle(graph_.point(a), graph_.point(b), graph_.point(c));
   const auto visit = [&](VertexId w) {
-    if (inside_.size() <= limit && first_visit(w) && circle.contains(graph_.point(w)))
+    if (inside_.size() <= limit && seen_.mark(w) && circle.contains(graph_.point(w)))
       inside_.push_back(w);
   };
   // Past hubs, if there is a corner that is none to begin with.

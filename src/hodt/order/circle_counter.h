@@ -2,13 +2,13 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "hodt/base/parallel.h"
+#include "hodt/base/round_marks.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
@@ -28,7 +28,7 @@ bool holds_origin_only(const DelaunayGraph& graph, const std::array<VertexId, 3>
 /// the neighbours of what it finds. Holds scratch memory for one thread.
 class CircleCounter {
  public:
-  explicit CircleCounter(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size(), 0) {}
+  explicit CircleCounter(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size()) {}
 
   /// The number of points inside the circle through a, b and c (counter-clockwise), or limit + 1 if
   /// there are more than `limit`: the order of the triangle abc.
@@ -39,16 +39,8 @@ class CircleCounter {
   std::span<const VertexId> inside() const { return inside_; }
 
  private:
-  bool first_visit(VertexId v) {
-    if (seen_[v] == round_) return false;
-    seen_[v] = round_;
-    return true;
-  }
-  void begin_round();
-
   const DelaunayGraph& graph_;
-  Buffer<std::uint32_t> seen_;  // the round in which a vertex was last looked at
-  std::uint32_t round_ = 0;
+  RoundMarks seen_;
   std::vector<VertexId> inside_;
 };
 

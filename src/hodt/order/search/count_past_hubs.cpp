@@ -13,27 +13,27 @@ Index CountPastHubs::useful_order(VertexId u, VertexId v, VertexId left, VertexI
   // the circle crosses.
   work_left_ = 1000 + 100 * std::size_t{limit};
   if (graph_.is_hub(u) && graph_.is_hub(v)) return kNone;
-  const Index on_right = count_across(u, v, left, limit);
+  const Index on_right = count_in_first_circle(u, v, left, limit);
   if (on_right > limit) return on_right;
-  const Index on_left = count_across(v, u, right, limit);
+  const Index on_left = count_in_first_circle(v, u, right, limit);
   return std::max(on_left, on_right);
 }
 
 /// The points on the right of uv inside the circle through u, v and the first point on the left;
 /// `first` is any of that side to begin with. A point on the left that is inside takes its place,
 /// and then no point on the right that was inside is lost: so a count above the limit ends it.
-Index CountPastHubs::count_across(VertexId u, VertexId v, VertexId first, Index limit) {
+Index CountPastHubs::count_in_first_circle(VertexId u, VertexId v, VertexId first, Index limit) {
   const Point &a = graph_.point(u), &b = graph_.point(v);
   const VertexId start = graph_.is_hub(u) ? v : u;
   for (;;) {
-    begin_round();
-    for (const VertexId corner : {u, v, first}) seen_[corner] = round_;
+    inside_.clear();
+    seen_.begin_round();
+    for (const VertexId corner : {u, v, first}) seen_.mark(corner);
     const Circle circle(a, b, graph_.point(first));
     VertexId earlier;
     const auto visit = [&](VertexId w) {
       if (earlier.valid() || inside_.size() > limit || work_left_ == 0) return;
-      if (seen_[w] == round_) return;
-      seen_[w] = round_;
+      if (!seen_.mark(w)) return;
       --work_left_;
       if (!circle.contains(graph_.point(w))) return;
       if (orient(a, b, graph_.point(w)) > 0)
@@ -49,13 +49,6 @@ Index CountPastHubs::count_across(VertexId u, VertexId v, VertexId first, Index 
     if (!earlier.valid()) return static_cast<Index>(inside_.size());
     first = earlier;
   }
-}
-
-void CountPastHubs::begin_round() {
-  inside_.clear();
-  if (++round_ != 0) return;
-  seen_.fill(0);
-  round_ = 1;
 }
 
 }  // namespace hodt

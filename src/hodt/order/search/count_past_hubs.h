@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "hodt/base/round_marks.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
@@ -15,7 +15,7 @@ namespace hodt {
 /// connected there with any point on it that is no hub. Holds scratch memory for one thread.
 class CountPastHubs {
  public:
-  explicit CountPastHubs(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size(), 0) {}
+  explicit CountPastHubs(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size()) {}
 
   /// The useful order of uv by Lemma 4, or more than `limit` if it is larger. kNone if that is not
   /// to be found out with little work. REQUIRES a point of either side to start with, and none on
@@ -23,13 +23,11 @@ class CountPastHubs {
   Index useful_order(VertexId u, VertexId v, VertexId left, VertexId right, Index limit);
 
  private:
-  Index count_across(VertexId u, VertexId v, VertexId first, Index limit);
-  void begin_round();
+  Index count_in_first_circle(VertexId u, VertexId v, VertexId first, Index limit);
 
   const DelaunayGraph& graph_;
   std::size_t work_left_ = 0;
-  Buffer<std::uint32_t> seen_;  // the round in which a vertex was last looked at
-  std::uint32_t round_ = 0;
+  RoundMarks seen_;
   std::vector<VertexId> inside_;
 };
 

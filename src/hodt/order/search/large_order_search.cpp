@@ -8,7 +8,7 @@
 namespace hodt {
 
 LargeOrderSearch::LargeOrderSearch(const DelaunayGraph& graph, const PointTree& tree)
-    : graph_(graph), tree_(tree), seen_(graph.xy.size(), 0) {}
+    : graph_(graph), tree_(tree), seen_(graph.xy.size()) {}
 
 Point LargeOrderSearch::image_of(VertexId v) const {
   const double x = scale_ * (graph_.point(v).x - graph_.point(u_).x);
@@ -21,17 +21,13 @@ Point LargeOrderSearch::image_of(VertexId v) const {
 /// Takes up the neighbours of u, and of all vertices but those that are proven no k-OD neighbours
 /// by what was gathered before (as Neighbourhood does).
 void LargeOrderSearch::gather() {
-  if (++round_ == 0) {
-    seen_.fill(0);
-    round_ = 1;
-  }
+  seen_.begin_round();
   around_.clear();
   all_images_.clear();
-  seen_[u_] = round_;
+  seen_.mark(u_);
   scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(graph_.nearest(u_)), -1000, 1000));
   const auto take = [&](VertexId v) {
-    if (seen_[v] == round_) return;
-    seen_[v] = round_;
+    if (!seen_.mark(v)) return;
     around_.push_back({v, false});
     all_images_.push_back(image_of(v));
   };

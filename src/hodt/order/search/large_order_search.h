@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
 
 #include "hodt/base/deadline.h"
+#include "hodt/base/round_marks.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/search/angular_hulls.h"
 #include "hodt/order/search/k_level.h"
@@ -67,8 +67,7 @@ class LargeOrderSearch {
   std::vector<Point> points_, images_;  // parallel in the end
   KLevel level_;
   AngularHulls hulls_;
-  Buffer<std::uint32_t> seen_;  // the round in which a vertex was last gathered
-  std::uint32_t round_ = 0;
+  RoundMarks seen_;
 };
 
 /// Goes around u, with the ends of the left and right sides turning along.

@@ -7,7 +7,7 @@
 namespace hodt {
 
 Neighbourhood::Neighbourhood(const DelaunayGraph& graph)
-    : graph_(graph), pencil_(std::make_unique<Pencil>(*this)) {}
+    : graph_(graph), pencil_(std::make_unique<Pencil>(*this)), seen_(graph.xy.size()) {}
 
 Neighbourhood::~Neighbourhood() = default;
 
@@ -21,7 +21,7 @@ bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
   };
   if (graph_.has_hubs()) go_on_from(u);  // around them, to more than the neighbours
   for (Index i = 0; i < degree_; ++i) go_on_from(vertices_[i]);
-  take_up_reached();
+  add_reached();
 
   // An edge of order j > 0 is found among the neighbours of the other end of one of order j - 1 or
   // less. A bound that rises as more is known only lets more vertices in.
@@ -32,7 +32,7 @@ bool Neighbourhood::gather(VertexId u, Index k, std::size_t effort) {
     if (!bound_orders(next, end, k, effort)) return false;
     for (; next < end; ++next)
       if (least_order_[next] < k) go_on_from(vertices_[next]);
-    take_up_reached();
+    add_reached();
   }
   return true;
 }
@@ -68,11 +68,8 @@ bool Neighbourhood::bound_orders(Index first, Index last, Index k, std::size_t& 
 void Neighbourhood::begin_at(VertexId u, Index k) {
   centre_ = u;
   size_ = 0;
-  if (round_++ == kNone || seen_.empty()) {
-    seen_ = Buffer<std::uint32_t>(graph_.xy.size(), 0);
-    round_ = 1;
-  }
-  seen_[u] = round_;
+  seen_.begin_round();
+  seen_.mark(u);
   points_.clear(graph_.nearest(u));
   levels_.clear(k);
 }
@@ -81,8 +78,8 @@ void Neighbourhood::begin_at(VertexId u, Index k) {
 template <class Search>
 void Neighbourhood::reach(const Search& search) {
   // Local copies stay in registers. No branch on whether w is new, which is a matter of chance.
-  const std::uint32_t round = round_;
-  std::uint32_t* const seen = seen_.data();
+  const RoundMarks::Round round = seen_.round();
+  RoundMarks::Round* const seen = seen_.marks();
   VertexId* vertices = vertices_.data();
   std::size_t size = size_, capacity = vertices_.size();
   search([&](VertexId w) {
@@ -98,7 +95,7 @@ void Neighbourhood::reach(const Search& search) {
   size_ = static_cast<Index>(size);
 }
 
-void Neighbourhood::take_up_reached() {
+void Neighbourhood::add_reached() {
   const Index first = points_.size();
   points_.extend(size_);
   const Point origin = graph_.point(centre_);

@@ -1,13 +1,14 @@
 // The vertices around u that edges of order k at u can depend on.
+// Tested by tests/order/useful_edges_test.cpp.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "hodt/base/deadline.h"
+#include "hodt/base/round_marks.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/search/local_points.h"
 #include "hodt/order/search/sector_levels.h"
@@ -56,7 +57,7 @@ class Neighbourhood {
   void begin_at(VertexId u, Index k);
   template <class Search>
   void reach(const Search& search);
-  void take_up_reached();
+  void add_reached();
   bool bound_orders(Index first, Index last, Index k, std::size_t& effort);
 
   const DelaunayGraph& graph_;
@@ -68,9 +69,7 @@ class Neighbourhood {
   SectorLevels levels_;
   std::vector<Index> least_order_;
   std::unique_ptr<Pencil> pencil_;
-  // From the first round on: the one in which a vertex was last taken up.
-  Buffer<std::uint32_t> seen_;
-  std::uint32_t round_ = 0;
+  RoundMarks seen_;
 };
 
 }  // namespace hodt
