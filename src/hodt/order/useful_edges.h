@@ -16,6 +16,7 @@
 #include "hodt/order/search/large_order_search.h"
 #include "hodt/order/search/neighbourhood.h"
 #include "hodt/order/search/pencil.h"
+#include "hodt/order/search/search_policy.h"
 #include "hodt/order/search/window_walk.h"
 
 namespace hodt {
@@ -39,11 +40,6 @@ class UsefulEdgeSearch {
         narrow_(graph),
         around_(graph),
         large_(std::in_place, graph, tree) {}
-
-  /// From here on the search for large orders is faster.
-  static constexpr Index kLarge = 320;
-  /// For so many the searches may ask a tree.
-  static constexpr Index kWithTree = 16;
 
   /// Lets a search give up, and find nothing, after so many questions (one point against another).
   /// complete() then tells. For orders in the hundreds, without a tree.
@@ -94,27 +90,26 @@ class UsefulEdgeSearch {
     deadline_.check();
     found_.clear();
     complete_ = true;
-    if (limit == 1)
-      across_one_edge(u, wanted);
-    else if (limit >= kLarge && large_)
-      by_large_search(u, limit, wanted);
-    else if (limit > 1)
-      beyond_one_edge(u, limit, wanted, towards);
+    if (limit == 0) return;
+    switch (search_policy::first_way(limit, towards)) {
+      case Way::flips:
+        return across_one_edge(u, wanted);
+      case Way::windows:
+        if (!through_windows(u, limit, wanted, towards))
+          among_neighbours(u, limit, wanted, effort_);
+        return;
+      case Way::neighbours:
+        return neighbours_first(u, limit, wanted, towards);
+      case Way::levels:
+        if (large_) return by_large_search(u, limit, wanted);
+        return among_neighbours(u, limit, wanted, effort_);
+    }
   }
 
-  /// The walk through windows comes first for small orders. For others the set of neighbours does,
-  /// but where many points are near one circle, or u has very many neighbours, it takes too long.
-  /// (The set is faster from 9 on. From 17 on, half of the walk is as good where it will do, and
-  /// better near circles.)
   template <class Wanted>
-  void beyond_one_edge(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
-    const bool windows_first =
-        limit <= kNarrow || (towards != Towards::all && limit > 16 && limit <= 100);
-    if (windows_first && through_windows(u, limit, wanted, towards)) return;
-    if (windows_first || limit >= kLarge) return among_neighbours(u, limit, wanted, effort_);
+  void neighbours_first(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
     if (!graph_.is_hub(u)) {
-      // Where many points are near one circle questions begin to count, and soon are too many.
-      const std::size_t few = 200 * std::size_t{limit};
+      const std::size_t few = search_policy::few_questions(limit);
       among_neighbours(u, limit, wanted, std::min(effort_, few));
       if (complete_ || effort_ <= few) return;
     }
@@ -124,21 +119,18 @@ class UsefulEdgeSearch {
     among_neighbours(u, limit, wanted, effort_);
   }
 
-  // The walks that mostly do for orders up to that.
-  static constexpr Index kNarrow = 8, kWide = 32;
-
   /// False, and nothing found, if there is too much around u even for the walk that knows most.
   template <class Wanted>
   bool through_windows(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
     const auto go = [&](Towards half) {
-      if (limit <= kNarrow && through(narrow_, u, limit, wanted, half)) return true;
+      if (limit <= search_policy::kNarrowWalk && through(narrow_, u, limit, wanted, half))
+        return true;
       if (!wide_) wide_.emplace(graph_).end_at(deadline_);
-      if (limit <= kWide && through(*wide_, u, limit, wanted, half)) return true;
+      if (limit <= search_policy::kWideWalk && through(*wide_, u, limit, wanted, half)) return true;
       if (!widest_) widest_.emplace(graph_).end_at(deadline_);
       return through(*widest_, u, limit, wanted, half);
     };
-    // Each half needs fewer points than both together.
-    const bool in_halves = limit > kNarrow && towards == Towards::all;
+    const bool in_halves = towards == Towards::all && search_policy::in_halves(limit);
     const bool is_done = in_halves ? go(Towards::larger) && go(Towards::smaller) : go(towards);
     if (!is_done) found_.clear();
     return is_done;
@@ -153,8 +145,7 @@ class UsefulEdgeSearch {
       deadline_.check();
       const VertexId v = walk.candidate();
       const bool is_wanted = wanted(v);
-      // To look at others, too, makes more points known, which ends the walk earlier.
-      if (!is_wanted && limit <= kNarrow) continue;
+      if (!is_wanted && !search_policy::looks_at_all(limit)) continue;
       Index order = walk.useful_order();
       if (!is_wanted) continue;
       if (order == kNone && !walk.gave_up())

@@ -70,7 +70,7 @@ bool WindowWalk<kWords>::expand(Index place) {
 /// The points of new places.
 template <Index kWords>
 template <Index N>
-HODT_INLINE void WindowWalk<kWords>::take_up() {
+HODT_INLINE void WindowWalk<kWords>::add_new_points() {
   const Point& u = point(0);
   for (Index i = points_.size(); i < size_; ++i)
     points_.set(i, {point(i).x - u.x, point(i).y - u.y});
@@ -89,10 +89,10 @@ void WindowWalk<kWords>::make_room() {
 
 /// Adds a window unless nothing can come of it. That is a matter of chance: so no branch on it.
 template <Index kWords>
-HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
+HODT_INLINE void WindowWalk<kWords>::add_window(const Window& window) {
   const bool is_open = (window.inside_left.count() <= k_) & (window.inside_right.count() <= k_) &
                        // What is between two rays to larger vertices is larger itself.
-                       (is_sought(window.sight.left_ray) | is_sought(window.sight.right_ray)) &
+                       (is_sought(window.sector.left_ray) | is_sought(window.sector.right_ray)) &
                        window.beyond.valid();
   windows_[opened_] = window;
   opened_ += static_cast<std::size_t>(is_open);
@@ -100,15 +100,16 @@ HODT_INLINE void WindowWalk<kWords>::open(const Window& window) {
 
 /// The window through the edge across from u in the triangle that h, from u, belongs to.
 template <Index kWords>
-HODT_INLINE void WindowWalk<kWords>::open_first(HalfEdgeId h, const Ray& right, const Ray& left) {
+HODT_INLINE void WindowWalk<kWords>::add_first_window(HalfEdgeId h, const Ray& right,
+                                                      const Ray& left) {
   const TriangleMesh& mesh = graph_.mesh;
-  open({.beyond = mesh.twin(TriangleMesh::next(h)),
-        .left = left.place,
-        .right = right.place,
-        .sight = {left.place, right.place, left.sides.in, left.sides.out & right.sides.in,
-                  right.sides.out},
-        .inside_left = Set::only(left.place),
-        .inside_right = Set::only(right.place)});
+  add_window({.beyond = mesh.twin(TriangleMesh::next(h)),
+              .left = left.place,
+              .right = right.place,
+              .sector = {left.place, right.place, left.sides.in, left.sides.out & right.sides.in,
+                         right.sides.out},
+              .inside_left = Set::only(left.place),
+              .inside_right = Set::only(right.place)});
 }
 
 /// Opens windows in all directions. The more points are known, the earlier the walk can end: to
@@ -118,7 +119,7 @@ template <Index N>
 HODT_INLINE void WindowWalk<kWords>::begin_at_all() {
   const Index degree = size_ - 1;
   for (Index i = 1; i <= degree && size_ <= Set::kMost / 2; ++i) expand(i);
-  take_up<N>();
+  add_new_points<N>();
   if (is_full_) return;
   // The neighbours have places 1, 2, ... around u.
   Ray right = ray_to<N>(1);
@@ -126,7 +127,7 @@ HODT_INLINE void WindowWalk<kWords>::begin_at_all() {
   HalfEdgeId h = start;
   do {
     const Ray left = ray_to<N>(right.place < degree ? right.place + 1 : 1);
-    open_first(h, right, left);
+    add_first_window(h, right, left);
     right = left;
     h = graph_.mesh.rotate_ccw(h);
   } while (h.valid() && h != start);
@@ -146,20 +147,20 @@ HODT_INLINE void WindowWalk<kWords>::begin_at_next() {
   points_.clear(nearest_);
   const Index right = place_of(mesh.target(h)), left = place_of(mesh.apex(h));
   for (const Index end : {right, left}) expand(end);
-  take_up<N>();
-  if (!is_full_) open_first(h, ray_to<N>(right), ray_to<N>(left));
+  add_new_points<N>();
+  if (!is_full_) add_first_window(h, ray_to<N>(right), ray_to<N>(left));
 }
 
 /// 0 if the point is seen, else +1 or -1: on its left ray or further left, on
 /// its right ray or further right.
 template <Index kWords>
-HODT_INLINE int WindowWalk<kWords>::side_of(const Sight& sight, Index place) const {
-  if (sight.within.has(place)) return 0;
-  if (sight.beyond_left.has(place)) return 1;
-  if (sight.beyond_right.has(place)) return -1;
+HODT_INLINE int WindowWalk<kWords>::side_of(const Sector& sector, Index place) const {
+  if (sector.within.has(place)) return 0;
+  if (sector.beyond_left.has(place)) return 1;
+  if (sector.beyond_right.has(place)) return -1;
   const Point &u = point(0), &p = point(place);
-  if (orient(u, point(sight.left_ray), p) >= 0) return 1;
-  return orient(u, point(sight.right_ray), p) <= 0 ? -1 : 0;
+  if (orient(u, point(sector.left_ray), p) >= 0) return 1;
+  return orient(u, point(sector.right_ray), p) <= 0 ? -1 : 0;
 }
 
 /// Adds what is inside the circle through u and the ends of the edge although rounding leaves it in
@@ -182,42 +183,42 @@ void WindowWalk<kWords>::look_closer(Window& window, const Split& circle) const 
       return count > k_;
     });
   };
-  add(window.sight.beyond_left, window.inside_left);
-  add(window.sight.beyond_right, window.inside_right);
+  add(window.sector.beyond_left, window.inside_left);
+  add(window.sector.beyond_right, window.inside_right);
 }
 
 /// Goes on to the triangle beyond, with apex w: through its other two edges goes what is on either
 /// side of it.
 template <Index kWords>
 template <Index N>
-HODT_INLINE void WindowWalk<kWords>::pass(const Window& window) {
+HODT_INLINE void WindowWalk<kWords>::look_through(const Window& window) {
   const TriangleMesh& mesh = graph_.mesh;
   const VertexId vertex = mesh.apex(window.beyond);
   const Index w = place_of(vertex);
-  if (w == points_.size()) take_up<N>();
+  if (w == points_.size()) add_new_points<N>();
   if (is_full_) return;
-  const auto open_through = [&](HalfEdgeId edge, Index left, Index right, const Sight& sight,
-                                const Split& circle) HODT_INLINE_LAMBDA {
+  const auto add_through = [&](HalfEdgeId edge, Index left, Index right, const Sector& sector,
+                               const Split& circle) HODT_INLINE_LAMBDA {
     Window next{
         .beyond = mesh.twin(edge),
         .left = left,
         .right = right,
-        .sight = sight,
-        .inside_left = window.inside_left | (circle.in & sight.beyond_left) | Set::only(left),
-        .inside_right = window.inside_right | (circle.in & sight.beyond_right) | Set::only(right)};
+        .sector = sector,
+        .inside_left = window.inside_left | (circle.in & sector.beyond_left) | Set::only(left),
+        .inside_right = window.inside_right | (circle.in & sector.beyond_right) | Set::only(right)};
     if constexpr (kWords > 1) look_closer(next, circle);
-    open(next);
+    add_window(next);
   };
   const HalfEdgeId to_left = TriangleMesh::prev(window.beyond);
   const HalfEdgeId to_right = TriangleMesh::next(window.beyond);
-  const Sight& sight = window.sight;
-  const int side = side_of(sight, w);
+  const Sector& sector = window.sector;
+  const int side = side_of(sector, w);
   if (side > 0)
-    return open_through(to_right, w, window.right, sight,
-                        points_.template split<N>(points_.inside(window.right, w)));
+    return add_through(to_right, w, window.right, sector,
+                       points_.template split<N>(points_.inside(window.right, w)));
   if (side < 0)
-    return open_through(to_left, window.left, w, sight,
-                        points_.template split<N>(points_.inside(w, window.left)));
+    return add_through(to_left, window.left, w, sector,
+                       points_.template split<N>(points_.inside(w, window.left)));
 
   const auto [right_circle, left_circle, ray] = points_.template split<N>(std::array{
       points_.inside(window.right, w), points_.inside(w, window.left), points_.left_of(w)});
@@ -225,11 +226,12 @@ HODT_INLINE void WindowWalk<kWords>::pass(const Window& window) {
   const Set inside_left = window.inside_left | (right_circle.in & ray.in);
   if (std::max(inside_left.count(), inside_right.count()) <= k_ && is_sought(w))
     candidate_ = {vertex, w, window.left, window.right, size_, left_circle, right_circle, ray};
-  open_through(to_left, window.left, w,
-               {sight.left_ray, w, sight.beyond_left, sight.within & ray.in, ray.out}, left_circle);
-  open_through(to_right, w, window.right,
-               {w, sight.right_ray, ray.in, sight.within & ray.out, sight.beyond_right},
-               right_circle);
+  add_through(to_left, window.left, w,
+              {sector.left_ray, w, sector.beyond_left, sector.within & ray.in, ray.out},
+              left_circle);
+  add_through(to_right, w, window.right,
+              {w, sector.right_ray, ray.in, sector.within & ray.out, sector.beyond_right},
+              right_circle);
 }
 
 template <Index kWords>
@@ -265,7 +267,7 @@ bool WindowWalk<kWords>::find_next() {
       if (opened_ + 2 > windows_.size()) [[unlikely]]
         make_room();
       const Window window = windows_[passed_++];
-      pass<N>(window);
+      look_through<N>(window);
     }
   });
   return candidate_.vertex.valid();
@@ -275,7 +277,7 @@ bool WindowWalk<kWords>::find_next() {
 /// them on the other side. `first` is any point of that side to begin with.
 template <Index kWords>
 template <Index N, typename WindowWalk<kWords>::Side side>
-HODT_INLINE Index WindowWalk<kWords>::count_across(Index first, Split circle) {
+HODT_INLINE Index WindowWalk<kWords>::count_in_first_circle(Index first, Split circle) {
   constexpr bool on_left = side == Side::left;
   const Index v = candidate_.place;
   const Set itself = Set::only(v);
@@ -296,7 +298,7 @@ HODT_INLINE Index WindowWalk<kWords>::count_across(Index first, Split circle) {
   for (;;) {
     bool is_known = true;
     rest.for_each([&](Index i) { is_known &= expand(i); });
-    if (points_.size() < size_ && !is_full_) take_up<N>();
+    if (points_.size() < size_ && !is_full_) add_new_points<N>();
     if (is_full_ || !is_known) return kNone;
     if (known < size_) {
       known = size_;
@@ -333,9 +335,11 @@ HODT_INLINE Index WindowWalk<kWords>::count_across(Index first, Split circle) {
 template <Index kWords>
 Index WindowWalk<kWords>::useful_order() {
   return run_in_lanes([&]<Index N>() HODT_INLINE_LAMBDA -> Index {
-    const Index right = count_across<N, Side::left>(candidate_.left, candidate_.left_circle);
+    const Index right =
+        count_in_first_circle<N, Side::left>(candidate_.left, candidate_.left_circle);
     if (right > k_) return right;
-    const Index left = count_across<N, Side::right>(candidate_.right, candidate_.right_circle);
+    const Index left =
+        count_in_first_circle<N, Side::right>(candidate_.right, candidate_.right_circle);
     return std::max(left, right);
   });
 }

@@ -1,5 +1,6 @@
 // The useful edges of a vertex for small orders: a walk over the triangles that segments from it
 // can cross.
+// Tested by tests/order/useful_edges_test.cpp.
 #pragma once
 
 #include <array>
@@ -9,13 +10,11 @@
 #include "hodt/base/deadline.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/search/near_points.h"
+#include "hodt/order/search/search_policy.h"
 
 namespace hodt {
 
-/// Where to look for the other ends of edges.
-enum class Towards { all, larger, smaller };  // lexicographically
-
-/// Walks outward from u, from triangle to triangle, with the window of directions still in sight,
+/// Walks outward from u, from triangle to triangle, with the window of directions still in sector,
 /// and ends where too many points are surely inside the circles of Lemma 4 of every vertex that
 /// could follow. docs/design/useful-edges.md proves it. Knows at most 64 kWords points around u, or
 /// around each of its triangles if it has very many neighbours, and gives up where that is not
@@ -52,16 +51,16 @@ class WindowWalk {
     Index place;
     Split sides;  // its left and right
   };
-  /// What is seen from u between two rays, which end at places.
-  struct Sight {
+  /// What is visible from u between two rays, which end at places.
+  struct Sector {
     Index left_ray, right_ray;
-    Set beyond_left, within, beyond_right;  // surely outside on that side, or seen
+    Set beyond_left, within, beyond_right;  // surely outside on that side, or inside
   };
   /// A Delaunay edge and what can be seen through it.
   struct Window {
     HalfEdgeId beyond;  // in the triangle across the edge, which is not looked at yet
     Index left, right;  // the ends of the edge
-    Sight sight;
+    Sector sector;      // the directions in which u sees through it
     // Surely inside the circle of Lemma 4 through the first point on the other side, whatever is
     // seen through the window.
     Set inside_left, inside_right;
@@ -85,19 +84,19 @@ class WindowWalk {
   HODT_INLINE Ray ray_to(Index place) const {
     return {place, points_.template split<N>(points_.left_of(place))};
   }
-  HODT_INLINE void open_first(HalfEdgeId h, const Ray& right, const Ray& left);
+  HODT_INLINE void add_first_window(HalfEdgeId h, const Ray& right, const Ray& left);
   void make_room();
-  HODT_INLINE void open(const Window& window);
+  HODT_INLINE void add_window(const Window& window);
   void look_closer(Window& window, const Split& circle) const;
-  HODT_INLINE int side_of(const Sight& sight, Index place) const;
+  HODT_INLINE int side_of(const Sector& sector, Index place) const;
   template <Index N>
-  HODT_INLINE void pass(const Window& window);
+  HODT_INLINE void look_through(const Window& window);
   template <Index N, Side side>
-  HODT_INLINE Index count_across(Index first, Split circle);
+  HODT_INLINE Index count_in_first_circle(Index first, Split circle);
   Index place_of(VertexId v);
   bool expand(Index place);
   template <Index N>
-  HODT_INLINE void take_up();
+  HODT_INLINE void add_new_points();
   bool is_sought(Index place) const { return sought_.has(place); }
   const Point& point(Index place) const { return graph_.point(vertices_[place]); }
 
