@@ -7,7 +7,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/mesh/boundary.h"
+#include "hodt/mesh/degrees.h"
 
 namespace hodt {
 
@@ -57,19 +57,10 @@ void OutgoingOnDemand::State::make() {
 void DelaunayGraph::list_neighbours() {
   constexpr std::size_t kGrain = 1 << 13;
   const std::size_t n = xy.size();
-  Lists lists{Buffer<Index>(n + 1, 0), {}};
-  // As many as leave it, and on the boundary one that ends there.
-  Index* const degree = lists.first.data() + 1;
-  for (const Index v : mesh.origins()) ++degree[v];
-  if (const HalfEdgeId start = first_on_boundary(mesh); start.valid()) {
-    HalfEdgeId h = start;
-    do {
-      ++degree[mesh.target(h)];
-      h = following_on_boundary(mesh, h);
-    } while (h != start);
-  }
-  const Index largest = *std::max_element(lists.first.begin(), lists.first.end());
-  std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+  NeighbourLists lists{Buffer<Index>(n + 1, 0), {}};
+  const Buffer<Index> degrees = degrees_of(mesh);
+  const Index largest = *std::max_element(degrees.begin(), degrees.end());
+  std::partial_sum(degrees.begin(), degrees.end(), lists.first.begin() + 1);
   lists.vertices = Buffer<VertexId>(lists.first[n] + kUsualDegree);
   std::fill_n(lists.vertices.data() + lists.first[n], kUsualDegree, VertexId(0));
   parallel_for(0, n, kGrain, [&](std::size_t begin, std::size_t end) {
@@ -82,9 +73,8 @@ void DelaunayGraph::list_neighbours() {
 }
 
 void DelaunayGraph::list_neighbours_if_hubs() {
-  Buffer<Index> degree(xy.size(), 1);  // at the boundary there is one neighbour more than triangles
-  for (const Index v : mesh.origins()) ++degree[v];
-  if (*std::max_element(degree.begin(), degree.end()) > kHubDegree) list_neighbours();
+  const Buffer<Index> degrees = degrees_of(mesh);
+  if (*std::max_element(degrees.begin(), degrees.end()) > kHubDegree) list_neighbours();
 }
 
 void DelaunayGraph::route_around_hubs() {

@@ -1,4 +1,5 @@
 // The Delaunay triangulation as the graph that every question about orders is answered on.
+// Tested by tests/order/edges_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -117,7 +118,7 @@ class DelaunayGraph {
 
  private:
   /// A list of vertices for every vertex, all in one array.
-  struct Lists {
+  struct NeighbourLists {
     Buffer<Index> first;  // where each list begins
     Buffer<VertexId> vertices;
 
@@ -138,9 +139,10 @@ class DelaunayGraph {
   /// Of random points, 15 of 16 have no more neighbours.
   static constexpr Index kUsualDegree = 8;
 
-  Lists lists_;  // of neighbours, and kUsualDegree more vertices; empty before list_neighbours()
-  Buffer<bool> hub_;  // empty if there are none
-  Lists onward_;      // empty likewise; a hub's list is empty
+  NeighbourLists
+      lists_;  // of neighbours, and kUsualDegree more vertices; empty before list_neighbours()
+  Buffer<bool> hub_;       // empty if there are none
+  NeighbourLists onward_;  // empty likewise; a hub's list is empty
 };
 
 }  // namespace hodt

@@ -1,4 +1,5 @@
 // How small the largest degree of a triangulation of order k can be at best.
+// Tested by tests/optimize/minimize_degree_test.cpp.
 #pragma once
 
 #include "hodt/base/deadline.h"

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
 
+#include "hodt/mesh/degrees.h"
 #include "hodt/optimize/degree/degree_bound.h"
 #include "hodt/optimize/flip/flips.h"
-#include "hodt/optimize/solve/degree_choices.h"
+#include "hodt/optimize/solve/diagonal_selection.h"
 #include "hodt/order/first_order/first_order.h"
 #include "hodt/order/fixed_edges.h"
 
@@ -20,40 +22,15 @@ constexpr Index kStepwise = 16;
 /// average.
 constexpr Index kMostForBound = 64;
 
-/// Every edge once: as a half-edge on the boundary, or the smaller of the two.
-template <class F>
-void for_each_edge_of(const TriangleMesh& mesh, const F& f) {
-  for (Index i = 0; i < mesh.halfedge_count(); ++i) {
-    const HalfEdgeId h(i);
-    if (mesh.is_boundary(h) || h < mesh.twin(h)) f(h);
-  }
-}
-
-Index largest(const std::vector<Index>& degrees) {
+Index largest(const Buffer<Index>& degrees) {
   return *std::max_element(degrees.begin(), degrees.end());
-}
-
-/// Of every vertex, by the edges that count.
-template <class Counts>
-std::vector<Index> degrees_of(const TriangleMesh& mesh, const Counts& counts) {
-  std::vector<Index> degrees(mesh.vertex_count(), 0);
-  for_each_edge_of(mesh, [&](HalfEdgeId h) {
-    if (!counts(h)) return;
-    ++degrees[mesh.origin(h)];
-    ++degrees[mesh.target(h)];
-  });
-  return degrees;
-}
-
-std::vector<Index> degrees_of(const TriangleMesh& mesh) {
-  return degrees_of(mesh, [](HalfEdgeId) { return true; });
 }
 
 /// Somebody has at least the average.
 Index average_degree(const TriangleMesh& mesh) {
-  std::size_t ends = 0;
-  for_each_edge_of(mesh, [&](HalfEdgeId) { ends += 2; });
-  return static_cast<Index>((ends + mesh.vertex_count() - 1) / mesh.vertex_count());
+  const Buffer<Index> degrees = degrees_of(mesh);
+  const std::size_t ends = std::accumulate(degrees.begin(), degrees.end(), std::size_t{0});
+  return static_cast<Index>((ends + degrees.size() - 1) / degrees.size());
 }
 
 /// Finds the flips to the best triangulation of order 1; returns a proven lower bound.
@@ -61,9 +38,9 @@ Index choose_diagonals(const DelaunayGraph& graph, const Deadline& deadline,
                        std::vector<HalfEdgeId>& flips) {
   const TriangleMesh& mesh = graph.mesh;
   const std::vector<HalfEdgeId> diagonals = first_order_edges(graph);
-  std::vector<Index> base = degrees_of(mesh);
+  Buffer<Index> base = degrees_of(mesh);
   const Index delaunay = largest(base);
-  std::vector<DegreeChoices::Corners> corners;
+  std::vector<DiagonalSelection::Corners> corners;
   for (const HalfEdgeId h : diagonals) {
     const VertexId a = mesh.origin(h), b = mesh.target(h);
     --base[a];
@@ -72,18 +49,18 @@ Index choose_diagonals(const DelaunayGraph& graph, const Deadline& deadline,
   }
   // Below what a vertex has without any of the diagonals nothing is possible.
   Index bound = std::max(average_degree(mesh), largest(base));
-  const DegreeChoices choices(std::move(base), std::move(corners));
+  const DiagonalSelection selection(std::move(base), std::move(corners));
   std::vector<bool> chosen(diagonals.size(), false);
   const auto can_keep_below = [&](Index most) {
     std::vector<bool> found(diagonals.size(), false);
-    const DegreeChoices::Answer answer = choices.keep_below(most, found, deadline);
-    if (answer == DegreeChoices::Answer::possible) chosen = std::move(found);
-    if (answer == DegreeChoices::Answer::impossible) bound = most + 1;  // nor is less
-    return answer == DegreeChoices::Answer::possible;
+    const DiagonalSelection::Answer answer = selection.keep_below(most, found, deadline);
+    if (answer == DiagonalSelection::Answer::possible) chosen = std::move(found);
+    if (answer == DiagonalSelection::Answer::impossible) bound = most + 1;  // nor is less
+    return answer == DiagonalSelection::Answer::possible;
   };
   // One after the other, as it mostly is one of the first; where there are hubs, in ever larger
   // steps, and then by bisection.
-  constexpr Index kOneByOne = 64;
+  constexpr Index kOneByOne = 16;
   Index failed = bound - 1, reached = delaunay, step = 1;
   Index tries = 0;
   for (Index most = bound; most < reached && !deadline.passed(); most += step) {
@@ -102,7 +79,10 @@ Index choose_diagonals(const DelaunayGraph& graph, const Deadline& deadline,
 /// The fixed edges at a vertex are always there.
 Index fixed_bound(const DelaunayGraph& graph, Index order, const Deadline& deadline) {
   const Buffer<bool> fixed = fixed_edges(graph, order, deadline);
-  return largest(degrees_of(graph.mesh, [&](HalfEdgeId h) { return fixed[h]; }));
+  Buffer<Index> degrees = degrees_of(graph.mesh);
+  for (Index i = 0; i < fixed.size(); ++i)
+    if (!fixed[i]) --degrees[graph.mesh.origin(HalfEdgeId(i))];  // none is on the boundary
+  return largest(degrees);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hodt/geometry/predicates.h"
+#include "hodt/mesh/degrees.h"
 #include "hodt/order/circle_counter.h"
 
 namespace hodt {
@@ -110,9 +111,7 @@ void for_each_edge_of(const TriangleMesh& mesh, const F& f) {
 /// kept, as counting those of hubs would take long.
 class SmallerDegrees {
  public:
-  explicit SmallerDegrees(const TriangleMesh& mesh) : degree_(mesh.vertex_count(), 0) {
-    for_each_edge_of(mesh, [&](VertexId u, VertexId v) { ++degree_[u], ++degree_[v]; });
-  }
+  explicit SmallerDegrees(const TriangleMesh& mesh) : degree_(degrees_of(mesh)) {}
   bool operator()(const TriangleMesh&, HalfEdgeId, const Quadrilateral& q) const {
     return std::max(degree_[q.c], degree_[q.d]) + 1 < std::max(degree_[q.a], degree_[q.b]);
   }
@@ -170,21 +169,20 @@ class FewerExtrema {
 using FiveValues = std::array<double, 5>;
 
 /// By the sum, or lexicographically by the sorted values, the one that counts most first.
-bool better_values(const Combination& combination, FiveValues fresh, FiveValues old) {
-  const Aggregate aggregate = combination.objective().aggregate;
+bool better_values(const Aggregator& aggregator, FiveValues fresh, FiveValues old) {
+  const Aggregate aggregate = aggregator.objective().aggregate;
   if (aggregate == Aggregate::sum) {
     const double sum = std::accumulate(fresh.begin(), fresh.end(), 0.0);
     const double before = std::accumulate(old.begin(), old.end(), 0.0);
     // What rounding can have made of equal sums is no gain.
-    return combination.better(sum, before) &&
-           std::fabs(sum - before) > 1e-13 * sum + 1e-13 * before;
+    return aggregator.better(sum, before) && std::fabs(sum - before) > 1e-13 * sum + 1e-13 * before;
   }
   for (FiveValues* values : {&fresh, &old}) {
     std::sort(values->begin(), values->end());
     if (aggregate == Aggregate::max) std::reverse(values->begin(), values->end());
   }
   for (std::size_t i = 0; i < fresh.size(); ++i)
-    if (fresh[i] != old[i]) return combination.better(fresh[i], old[i]);
+    if (fresh[i] != old[i]) return aggregator.better(fresh[i], old[i]);
   return false;
 }
 

@@ -1,4 +1,5 @@
 // Flips that improve a triangulation, as long as there are any.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include "hodt/base/deadline.h"

@@ -1,22 +1,24 @@
 // Quadrilaterals' diagonals chosen so that no vertex gets too many.
+// Tested by tests/optimize/minimize_degree_test.cpp.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
+#include "hodt/base/buffer.h"
 #include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
 
 namespace hodt {
 
-/// Every choice adds 1 at two of its four vertices: at the first two, or at the others.
-class DegreeChoices {
+/// One diagonal of every quadrilateral: it adds 1 at two of the four vertices.
+class DiagonalSelection {
  public:
   using Corners = std::array<VertexId, 4>;  // ends of the first diagonal, then of the other
 
   /// `base`: the degree of every vertex without any of the diagonals.
-  DegreeChoices(std::vector<Index> base, std::vector<Corners> choices);
+  DiagonalSelection(Buffer<Index> base, std::vector<Corners> quadrilaterals);
 
   enum class Answer { possible, impossible, unknown };
   /// Chooses so that no vertex has a degree above `most`. `chosen` (true: the second diagonal) is
@@ -27,9 +29,9 @@ class DegreeChoices {
  private:
   class Search;
 
-  std::vector<Index> base_;
-  std::vector<Corners> choices_;
-  std::vector<std::vector<Index>> choices_at_;
+  Buffer<Index> base_;
+  std::vector<Corners> quadrilaterals_;
+  std::vector<std::vector<Index>> quadrilaterals_at_;
 };
 
 }  // namespace hodt
