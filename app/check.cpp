@@ -1,4 +1,5 @@
 // hodt check: is it a mesh, and of which order?
+// Tested by tests/app/command_test.cpp.
 #include <algorithm>
 #include <array>
 #include <utility>

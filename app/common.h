@@ -1,4 +1,5 @@
 // What the subcommands share.
+// Tested by tests/app/faults_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // What every order gains, for some objectives: the numbers behind `hodt compare`.
+// Tested by tests/app/compare_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // The line chart of an objective: value and bound against the order.
+// Tested by tests/app/compare_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // A comparison as one HTML page that needs nothing else.
+// Tested by tests/app/compare_test.cpp.
 #pragma once
 
 #include <string>

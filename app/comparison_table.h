@@ -1,4 +1,5 @@
 // A comparison as tables of text, for the terminal and for the page alike.
+// Tested by tests/app/compare_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // What users are told of points with equal (x, y).
+// Tested by tests/app/command_test.cpp.
 #pragma once
 
 #include <cstddef>

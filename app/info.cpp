@@ -1,4 +1,5 @@
 // hodt info: what is in a file of points?
+// Tested by tests/app/command_test.cpp.
 #include <algorithm>
 #include <vector>
 

@@ -1,4 +1,5 @@
 // The process of the hodt command: its streams and signals.
+// Tested by tests/app/faults_test.cpp.
 #include <csignal>
 #include <thread>
 

@@ -1,4 +1,5 @@
 // A sum of angles says nothing to people; their mean does.
+// Tested by tests/app/command_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 // What a subcommand leaves behind: files and a report, all of it or nothing.
+// Tested by tests/app/faults_test.cpp.
 #pragma once
 
 #include <filesystem>

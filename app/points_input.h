@@ -1,4 +1,5 @@
 // How every subcommand that reads points reads them, and says what it read.
+// Tested by tests/app/columns_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // What `edges` and `triangles` share: points in, a CSV list of vertex numbers and an order out.
+// Tested by tests/app/lists_test.cpp.
 #pragma once
 
 #include <cstddef>

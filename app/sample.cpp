@@ -1,4 +1,5 @@
 // hodt sample: points of the built-in terrains.
+// Tested by tests/app/command_test.cpp.
 #include <algorithm>
 #include <limits>
 

@@ -1,4 +1,5 @@
 // hodt triangulate: points in, a mesh out.
+// Tested by tests/app/command_test.cpp.
 #include <string>
 #include <utility>
 

@@ -1,4 +1,5 @@
 // Objectives that no order changes: what one triangle decides, and that one cannot go.
+// Tested by tests/app/command_test.cpp.
 #pragma once
 
 #include <string>

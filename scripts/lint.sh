@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the layers, the format and clang-tidy's rules. Tools that are not installed are skipped,
+# Checks the layers, that each source has its test, the format and clang-tidy's rules. Tools that are not installed are skipped,
 # and named; so is clang-tidy with --quick.
 set -eu
 cd "$(dirname "$0")/.."
@@ -7,6 +7,7 @@ failed=0
 
 scripts/check_layers.py --self-test || failed=1
 scripts/check_layers.py || failed=1
+scripts/check_tests.py || failed=1
 
 if command -v clang-format > /dev/null; then
   scripts/sources.sh | xargs clang-format --dry-run -Werror || failed=1

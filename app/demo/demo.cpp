@@ -1,5 +1,6 @@
 // hodt_demo: the main job on real terrain, for growing orders, with a picture and a mesh to look
 // at.
+// Tested by tests/CMakeLists.txt.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

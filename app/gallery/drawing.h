@@ -1,4 +1,5 @@
 // Pages of panels, in SVG: what the figures of the gallery have in common.
+// Tested by tests/CMakeLists.txt.
 #pragma once
 
 #include <span>

@@ -1,4 +1,5 @@
 // The figures of docs/definitions.md, each a whole SVG document.
+// Tested by tests/CMakeLists.txt.
 #pragma once
 
 #include <string>

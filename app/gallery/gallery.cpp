@@ -1,5 +1,6 @@
 // hodt_gallery: draws the figures of docs/definitions.md. Point sets are picked by hand; circles,
 // orders, hulls and edges are what the library says about them.
+// Tested by tests/CMakeLists.txt.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

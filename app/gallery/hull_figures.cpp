@@ -1,4 +1,5 @@
 // Hulls, and the structures that all edges make together.
+// Tested by tests/CMakeLists.txt.
 #include <algorithm>
 #include <span>
 #include <string>

@@ -1,4 +1,5 @@
 // Orders of triangulations, edges and triangles.
+// Tested by tests/CMakeLists.txt.
 #include <algorithm>
 #include <functional>
 #include <span>

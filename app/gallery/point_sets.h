@@ -1,4 +1,5 @@
 // The points of the figures, picked so that each shows what it is about.
+// Tested by tests/CMakeLists.txt.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // A small point set with all that the library says about it, by the rows of the input.
+// Tested by tests/CMakeLists.txt.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
 // Extrema of triangulations of order 1.
+// Tested by tests/CMakeLists.txt.
 #include <algorithm>
 #include <array>
 #include <cstdint>

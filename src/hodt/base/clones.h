@@ -1,5 +1,6 @@
 // One loop compiled for several instruction sets; the processor at hand picks. Fused multiply-add
 // stays out (see -ffp-contract), so that all of them round alike.
+// Tested by tests/order/near_points_test.cpp.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)

@@ -1,4 +1,5 @@
 // A moment after which a search is to stop.
+// Tested by tests/optimize/time_limit_test.cpp.
 #pragma once
 
 #include <algorithm>

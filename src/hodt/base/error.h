@@ -1,4 +1,5 @@
 // What the library throws. Every message says what is wrong, where, and what to do about it.
+// Tested by tests/app/faults_test.cpp.
 #pragma once
 
 #include <stdexcept>

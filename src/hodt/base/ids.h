@@ -2,6 +2,7 @@
 //
 // An id converts to a plain number by itself (so it can index an array), but a number becomes an
 // id only when written out, and one kind of id never becomes another.
+// Tested by tests/mesh/triangle_mesh_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 //
 // A kernel is a function template over the number of lanes, written with plain operators and
 // HODT_INLINE. HODT_FOR_LANES(kernel) makes kernel_in_lanes(...) of it, which runs what fits.
+// Tested by tests/order/near_points_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // What parallel.h needs, on std::thread alone: for the thread sanitizer, which does not see how
 // oneTBB synchronises, as Debian's is built without it. Slower, but with the same pieces of work
 // running at the same time, so that races show.
+// Tested by tests/base/parallel_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // Memory that is to be read soon.
+// Tested by tests/order/near_points_test.cpp.
 #pragma once
 
 namespace hodt {

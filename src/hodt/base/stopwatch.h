@@ -1,4 +1,5 @@
 // Seconds between events.
+// Tested by tests/app/command_test.cpp.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,5 @@
 // The engine of the Delaunay triangulation; delaunay.h is the door.
+// Tested by tests/delaunay/delaunay_test.cpp.
 #pragma once
 
 #include "hodt/delaunay/spatial_order.h"

@@ -1,4 +1,5 @@
 // Integers wide enough for any in-circle determinant of doubles. Slow and simple: the last resort.
+// Tested by tests/geometry/integers_test.cpp.
 #pragma once
 
 #include <algorithm>

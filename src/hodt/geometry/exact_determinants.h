@@ -1,6 +1,7 @@
 // The two determinants, written once for every kind of integer.
 //
 // T has exact differences of coordinates; product() doubles its width (see wide_integer.h).
+// Tested by tests/geometry/predicates_test.cpp.
 #pragma once
 
 #include "hodt/geometry/big_integer.h"

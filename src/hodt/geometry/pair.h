@@ -2,6 +2,7 @@
 //
 // A vector extension of gcc and clang: portable to any machine, SSE2 on x86. Comparisons yield
 // masks: 0 or -1 a lane.
+// Tested by tests/geometry/predicates_test.cpp.
 #pragma once
 
 #include "hodt/geometry/point.h"

@@ -1,4 +1,5 @@
 // Places and areas on a map.
+// Tested by tests/hydrology/points_in_polygons_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // A point of the plane, the order that breaks every tie, and a box of points.
+// Tested by tests/hydrology/points_in_polygons_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // What a reader hands over: points in the order of the input's data rows.
+// Tested by tests/io/point_file_test.cpp.
 #pragma once
 
 #include <cstddef>

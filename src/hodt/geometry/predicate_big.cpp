@@ -1,4 +1,5 @@
 // Stage 5: integers of any width. The same integers tell how large a cross product is.
+// Tested by tests/geometry/predicates_test.cpp.
 #include <algorithm>
 #include <bit>
 #include <cstdint>

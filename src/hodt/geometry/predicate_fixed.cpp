@@ -1,4 +1,5 @@
 // Stage 3: integers of fixed width.
+// Tested by tests/geometry/predicates_test.cpp.
 #include <algorithm>
 #include <bit>
 #include <cstdint>

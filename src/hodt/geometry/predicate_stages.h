@@ -4,6 +4,7 @@
 // doubles is off by a factor 1 + e, |e| <= u, and never underflows; a product is off by such a
 // factor and also by at most h = 2^-1075. Writing (n) for any product of n factors 1 + e or
 // 1/(1 + e): (n) differs from 1 by less than (n + 1/2) u for n < 100.
+// Tested by tests/geometry/predicates_test.cpp.
 #pragma once
 
 #include <cfloat>

@@ -1,6 +1,7 @@
 // Stage 2: what a raster's ties cost, and the rule that decides them. Almost free of branches: on a
 // raster these go either way as if at random, and one that is guessed wrong costs more than all the
 // arithmetic here.
+// Tested by tests/geometry/predicates_test.cpp.
 #include <bit>
 #include <cstdint>
 

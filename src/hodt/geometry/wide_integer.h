@@ -1,4 +1,5 @@
 // Integers of 128 and 256 bits, and products that double the width of their factors.
+// Tested by tests/geometry/integers_test.cpp.
 #pragma once
 
 #include <cstdint>

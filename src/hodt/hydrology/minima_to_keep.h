@@ -1,4 +1,5 @@
 // Which local minima are real, and stay.
+// Tested by tests/app/keep_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // Boxes around runs of points. Points along a space-filling curve make small ones.
+// Tested by tests/hydrology/points_in_polygons_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The way around a mesh.
+// Tested by tests/order/voronoi_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // A part of a mesh exchanged for another triangulation of the same region.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <array>

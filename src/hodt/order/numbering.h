@@ -1,4 +1,5 @@
 // The numbers by which lists of edges and triangles name their vertices.
+// Tested by tests/order/edges_test.cpp.
 #pragma once
 
 #include "hodt/base/buffer.h"

@@ -1,4 +1,5 @@
 // The edges that a segment between two vertices crosses, one after another.
+// Tested by tests/order/edges_test.cpp.
 #pragma once
 
 #include <span>

@@ -1,4 +1,5 @@
 // The order of a triangulation that differs from the Delaunay triangulation in places.
+// Tested by tests/order/mesh_order_test.cpp.
 #pragma once
 
 #include <cstddef>

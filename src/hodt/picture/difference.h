@@ -1,4 +1,5 @@
 // What differs between two triangulations of the same points. Internal to this layer.
+// Tested by tests/picture/picture_test.cpp.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
 // Text inside SVG and HTML.
+// Tested by tests/picture/picture_test.cpp.
 #pragma once
 
 #include <string>

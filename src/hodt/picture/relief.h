@@ -1,5 +1,6 @@
 // The colours of the ground: a tint by height, shaded by a lamp in the north-west. Internal to this
 // layer.
+// Tested by tests/picture/picture_test.cpp.
 #pragma once
 
 #include <array>

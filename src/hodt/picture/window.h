@@ -1,4 +1,5 @@
 // Which part of a terrain to show. Internal to this layer.
+// Tested by tests/picture/picture_test.cpp.
 #pragma once
 
 #include <span>

@@ -1,6 +1,7 @@
 // The dense surface behind the terrain `valley`: hills cut by rivers, free of pits by construction.
 //
 // Internal to this layer; the tests look at the grid itself.
+// Tested by tests/terrain/terrain_test.cpp.
 #pragma once
 
 #include <array>

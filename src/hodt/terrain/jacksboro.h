@@ -1,5 +1,6 @@
 // The terrain `jacksboro`: 10,000 points of a real elevation model (data/README.md). Internal to
 // this layer.
+// Tested by tests/terrain/terrain_test.cpp.
 #pragma once
 
 #include <cstddef>

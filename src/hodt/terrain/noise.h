@@ -1,4 +1,5 @@
 // Smooth random hills over the plane.
+// Tested by tests/terrain/terrain_test.cpp.
 #pragma once
 
 #include <cstdint>

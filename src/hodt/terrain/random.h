@@ -2,6 +2,7 @@
 //
 // The standard library's distributions differ between vendors, and a generator with a state ties a
 // value to the order in which values are drawn. Here the i-th number is a function of (seed, i).
+// Tested by tests/terrain/terrain_test.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
 // The terrain `valley`: random points on an eroded landscape. Internal to this layer.
+// Tested by tests/terrain/terrain_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // Whether the boundary of a mesh bounds it: no crossing, and its inside never doubled.
+// Tested by tests/tin/embedding_test.cpp.
 #pragma once
 
 #include <optional>

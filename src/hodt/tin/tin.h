@@ -1,4 +1,5 @@
 // A triangulated irregular network: what is read from and written to mesh files.
+// Tested by tests/io/tin_file_test.cpp.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
 // How good a triangulation of order k can be at best for a measure across edges.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include "hodt/base/deadline.h"

@@ -1,4 +1,5 @@
 // Good triangulations of order k for a measure of edges.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include "hodt/optimize/measure_problem.h"

@@ -1,4 +1,5 @@
 // What the optimizers for local minima and maxima return.
+// Tested by tests/optimize/remove_extrema_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // The vertices that had better be no extrema, and the edges that would help them.
+// Tested by tests/optimize/remove_extrema_test.cpp.
 #pragma once
 
 #include <algorithm>

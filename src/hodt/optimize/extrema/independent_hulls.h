@@ -1,4 +1,5 @@
 // Edges whose hulls are apart, by fixed priority: Theorem 8's heuristic.
+// Tested by tests/optimize/remove_extrema_test.cpp.
 #pragma once
 
 #include "hodt/base/deadline.h"

@@ -1,4 +1,5 @@
 // Edges released where they force too high an order together.
+// Tested by tests/optimize/remove_extrema_test.cpp.
 #pragma once
 
 #include "hodt/optimize/extrema/extrema_triangulation.h"

@@ -1,4 +1,5 @@
 // Which edges to choose so that the fewest targets stay extrema.
+// Tested by tests/optimize/remove_extrema_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // What is certain of a measure before anything is computed.
+// Tested by tests/optimize/time_limit_test.cpp.
 #pragma once
 
 #include <span>

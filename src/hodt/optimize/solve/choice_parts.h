@@ -1,4 +1,5 @@
 // The best of many choices that all depend on each other: one part of a ChoiceGraph.
+// Tested by tests/optimize/choices_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Linear programs whose variables lie between 0 and 1, solved by Clp, with proven bounds.
+// Tested by tests/optimize/binary_program_test.cpp.
 #pragma once
 
 #include <cstddef>

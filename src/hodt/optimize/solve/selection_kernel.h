@@ -1,4 +1,5 @@
 // A problem of selection shrinks to what is hard about it.
+// Tested by tests/optimize/edge_selection_test.cpp.
 #pragma once
 
 #include <cstddef>

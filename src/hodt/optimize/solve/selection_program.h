@@ -1,4 +1,5 @@
 // A problem of selection as a program in zeros and ones.
+// Tested by tests/optimize/edge_selection_test.cpp.
 #pragma once
 
 #include "hodt/base/deadline.h"

@@ -1,4 +1,5 @@
 // The best triangulation of order k for a measure of triangles.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include "hodt/optimize/measure_problem.h"

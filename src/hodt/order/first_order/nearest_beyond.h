@@ -1,4 +1,5 @@
 // What the nearest points tell about flips of Delaunay edges, for runs of triangles at once.
+// Tested by tests/order/first_order_test.cpp.
 #pragma once
 
 #include <array>

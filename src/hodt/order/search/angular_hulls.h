@@ -1,4 +1,5 @@
 // First points on either side of many edges at one vertex.
+// Tested by tests/order/large_order_search_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // Lines with more than k points beyond them.
+// Tested by tests/order/large_order_search_test.cpp.
 #pragma once
 
 #include <cstddef>

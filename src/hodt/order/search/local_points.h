@@ -2,6 +2,7 @@
 //
 // The answers are proofs or guesses, never decisions: what is called sure has its rounding bounded,
 // and whoever uses a guess checks it.
+// Tested by tests/order/useful_edges_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The circles through two points: what they hold tells the order of the edge between.
+// Tested by tests/order/useful_edges_test.cpp.
 #pragma once
 
 #include <cstddef>

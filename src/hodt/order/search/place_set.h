@@ -1,4 +1,5 @@
 // Sets of small numbers, a bit each.
+// Tested by tests/order/near_points_test.cpp.
 #pragma once
 
 #include <array>

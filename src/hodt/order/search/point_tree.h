@@ -1,4 +1,5 @@
 // Counting points inside circles without looking at each: for circles that hold very many.
+// Tested by tests/order/large_order_search_test.cpp.
 #pragma once
 
 #include <span>

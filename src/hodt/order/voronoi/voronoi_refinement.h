@@ -1,4 +1,5 @@
 // From the Voronoi diagram of one order to that of the next.
+// Tested by tests/order/voronoi_polygons_test.cpp.
 #pragma once
 
 #include <cstdint>
