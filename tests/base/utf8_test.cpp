@@ -54,8 +54,10 @@ TEST(Utf8, nothing_else_is_read) {
 }
 
 TEST(Utf8, knows_control_characters) {
-  for (const char32_t code : {0x00, 0x1F, 0x7F, 0x80, 0x9F}) EXPECT_TRUE(is_control(code)) << std::uint32_t{code};
-  for (const char32_t code : {0x20, 0x7E, 0xA0, 0x2028}) EXPECT_FALSE(is_control(code)) << std::uint32_t{code};
+  for (const char32_t code : {0x00, 0x1F, 0x7F, 0x80, 0x9F})
+    EXPECT_TRUE(is_control(code)) << std::uint32_t{code};
+  for (const char32_t code : {0x20, 0x7E, 0xA0, 0x2028})
+    EXPECT_FALSE(is_control(code)) << std::uint32_t{code};
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ double optimum_of(const Instance& instance, const Objective& objective) {
 }
 
 Choices choices_of(const Instance& instance, const Objective& objective) {
-  Choices choices(Combination(objective), instance.count);
+  Choices choices(Aggregator(objective), instance.count);
   for (Index i = 0; i < instance.count; ++i) choices.add(i, instance.singles[i]);
   for (const auto& [i, j, c] : instance.pairs)
     choices.add(std::array{ChoicePair{i, j, {{{c[0][0], c[0][1]}, {c[1][0], c[1][1]}}}}});
@@ -96,7 +96,7 @@ ChoiceGraph graph_of(const Instance& instance, const Objective& objective) {
   std::vector<ChoicePair> pairs;
   for (const auto& [i, j, c] : instance.pairs)
     pairs.push_back({i, j, {{{c[0][0], c[0][1]}, {c[1][0], c[1][1]}}}});
-  return ChoiceGraph(Combination(objective), {instance.singles.begin(), instance.singles.end()},
+  return ChoiceGraph(Aggregator(objective), {instance.singles.begin(), instance.singles.end()},
                      pairs);
 }
 
@@ -128,12 +128,12 @@ TEST(Choices, by_tables_are_the_best_of_all) {
     for (const Objective& objective : kObjectives) {
       const ChoiceGraph graph = graph_of(instance, objective);
       std::vector<bool> chosen(instance.count);
-      double bound = Combination(objective).neutral();
+      double bound = Aggregator(objective).identity();
       for (const auto& part : graph.parts()) {
         const auto best = choose_by_tables(graph, part);
         ASSERT_TRUE(best);
         for (std::size_t i = 0; i < part.size(); ++i) chosen[part[i]] = best->chosen[i];
-        bound = graph.combination().combine(bound, best->bound);
+        bound = graph.aggregator().combine(bound, best->bound);
       }
       const double expected = optimum_of(instance, objective);
       EXPECT_NEAR(value_of(instance, objective, chosen), expected, 1e-9);
@@ -148,11 +148,11 @@ TEST(Choices, by_limits_are_the_best_of_all) {
       if (objective.aggregate == Aggregate::sum) continue;
       const ChoiceGraph graph = graph_of(instance, objective);
       std::vector<bool> chosen(instance.count);
-      double bound = Combination(objective).neutral();
+      double bound = Aggregator(objective).identity();
       for (const auto& part : graph.parts()) {
         const PartChoices best = choose_by_limits(graph, part);
         for (std::size_t i = 0; i < part.size(); ++i) chosen[part[i]] = best.chosen[i];
-        bound = graph.combination().combine(bound, best.bound);
+        bound = graph.aggregator().combine(bound, best.bound);
       }
       const double expected = optimum_of(instance, objective);
       EXPECT_EQ(value_of(instance, objective, chosen), expected);

@@ -27,7 +27,7 @@ struct Plain {
       both.emplace_back(e, f);
       both.emplace_back(f, e);
     }
-    return {Lists(targets, of_target), Lists(edges, serves), Lists(edges, both),
+    return {CsrLists(targets, of_target), CsrLists(edges, serves), CsrLists(edges, both),
             std::vector<Index>(edges, 1)};
   }
   bool is_allowed(std::uint32_t chosen) const {

@@ -219,7 +219,7 @@ TEST_F(FlipValues, add_up_to_that_of_the_flipped_mesh) {
     TriangleMesh flipped = d.mesh;
     for (const HalfEdgeId h : flips.apart) flipped.flip(h);
     const auto value = [&](const TriangleMesh& mesh) {
-      double all = values.neutral();
+      double all = values.identity();
       for (Index t = 0; t < mesh.triangle_count(); ++t) {
         const auto [a, b, c] = mesh.corners(TriangleId(t));
         all = values.combine(all, values.of(a, b, c));

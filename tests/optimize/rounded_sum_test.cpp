@@ -15,8 +15,8 @@ TEST(RoundedSum, is_rounded_outward) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> mantissa(0, 1);
   std::uniform_int_distribution<int> exponent(-60, 3);
-  const Combination least(Objective(Direction::minimize, Aggregate::sum, TriangleMeasure::area));
-  const Combination most(Objective(Direction::maximize, Aggregate::sum, TriangleMeasure::area));
+  const Aggregator least(Objective(Direction::minimize, Aggregate::sum, TriangleMeasure::area));
+  const Aggregator most(Objective(Direction::maximize, Aggregate::sum, TriangleMeasure::area));
   std::size_t rounded = 0;
   for (int i = 0; i < 10000; ++i) {
     const double sign = i % 4 == 0 ? -1 : 1, scale = i % 5 == 0 ? 0x1p-1060 : 1;
@@ -39,7 +39,7 @@ TEST(RoundedSum, is_rounded_outward) {
 }
 
 TEST(RoundedSum, largest_and_smallest_values_are_no_sums) {
-  const Combination least(Objective(Direction::minimize, Aggregate::max, TriangleMeasure::area));
+  const Aggregator least(Objective(Direction::minimize, Aggregate::max, TriangleMeasure::area));
   EXPECT_EQ(combine_outward(least, 1, 0.1), 1);
   EXPECT_EQ(bound_within(least, 1, 0), 1);
   EXPECT_LT(bound_within(least, 1, 0.25), 0.75);

@@ -29,7 +29,7 @@ TEST_P(Crossings, are_those_of_every_pair) {
                     for (const EdgeRecord& e : piece)
                       edges.push_back({VertexId(e.u), VertexId(e.v)});
                   });
-    const Lists lists = crossings(graph, edges);
+    const CsrLists lists = crossings(graph, edges);
     ASSERT_EQ(lists.size(), edges.size());
     for (Index i = 0; i < edges.size(); ++i) {
       std::vector<Index> expected;

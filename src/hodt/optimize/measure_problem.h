@@ -1,13 +1,15 @@
 // What the optimizers for measures are asked, and what they return.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <cmath>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "hodt/base/deadline.h"
 #include "hodt/mesh/mesh_change.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/optimize/range.h"
 #include "hodt/order/delaunay_graph.h"
@@ -35,15 +37,16 @@ struct MeasuredSolution {
   bool is_optimal = false;
 };
 
-/// These, once they are sure to be finite. A bound that the result passes was a sum rounded in
-/// another way: what the result is, is a bound as well then.
-inline MeasuredSolution measured(const Combination& combination, MeshChange change, double delaunay,
+/// These, once they are sure to be finite. Totals are rounded to the nearest double and bounds
+/// outward, so that no result passes a bound.
+inline MeasuredSolution measured(const Aggregator& aggregator, MeshChange change, double delaunay,
                                  double result, double bound) {
-  if (combination.better(result, bound)) bound = result;
   if (bound < 0) bound = 0;  // no measure is negative
   if (!std::isfinite(delaunay) || !std::isfinite(result) || !std::isfinite(bound))
-    throw_out_of_range(combination.objective());
-  const double slack = combination.is_sum() ? 1e-9 : 0;
+    throw_out_of_range(aggregator.objective());
+  if (aggregator.better(result, bound))
+    throw std::logic_error("the result passes a bound that was proven for all");
+  const double slack = aggregator.is_sum() ? 1e-9 : 0;
   const bool is_optimal =
       std::fabs(result - bound) <= slack * std::fmax(std::fabs(result), std::fabs(bound));
   return {std::move(change), delaunay, result, bound, is_optimal};

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hodt/base/lanes.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 
 namespace hodt {
 
@@ -23,10 +23,10 @@ inline double outward(double value, double sign) {
 }
 
 /// Combines values, rounding sums so that the exact one is no better: for bounds.
-inline double combine_outward(const Combination& combination, double x, double y) {
-  const double combined = combination.combine(x, y);
-  if (!combination.is_sum()) return combined;
-  const double lost = lost_in_sum(x, y, combined), sign = combination.sign();
+inline double combine_outward(const Aggregator& aggregator, double x, double y) {
+  const double combined = aggregator.combine(x, y);
+  if (!aggregator.is_sum()) return combined;
+  const double lost = lost_in_sum(x, y, combined), sign = aggregator.sign();
   if (!(sign * lost < 0)) return combined;
   // The next double, without a call where sums mostly are.
   if (combined > std::numeric_limits<double>::min() && combined < 1e300)
@@ -35,9 +35,9 @@ inline double combine_outward(const Combination& combination, double x, double y
 }
 
 /// No exact value is better than this if one within so much of it is the best.
-inline double bound_within(const Combination& combination, double value, double error) {
+inline double bound_within(const Aggregator& aggregator, double value, double error) {
   if (error == 0) return value;
-  return outward(value - combination.sign() * 1.001 * error, combination.sign());
+  return outward(value - aggregator.sign() * 1.001 * error, aggregator.sign());
 }
 
 }  // namespace hodt

@@ -69,8 +69,8 @@ bool cross(const DelaunayGraph& graph, const PlainEdge& e, const PlainEdge& f) {
 
 }  // namespace
 
-Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
-                const Deadline& deadline) {
+CsrLists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
+                   const Deadline& deadline) {
   using Pair = std::pair<Index, Index>;
   std::vector<Pair> passed = parallel_collect<Pair>(
       0, edges.size(), 1 << 10, [&](std::size_t first, std::size_t last, std::vector<Pair>& found) {
@@ -79,9 +79,9 @@ Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
           for_each_passed(graph, edges[i], [&](TriangleId t) { found.emplace_back(Index(i), t); });
         }
       });
-  const Lists triangles(edges.size(), passed, deadline);
+  const CsrLists triangles(edges.size(), passed, deadline);
   for (auto& [edge, triangle] : passed) std::swap(edge, triangle);
-  const Lists through(graph.mesh.triangle_count(), passed, deadline);
+  const CsrLists through(graph.mesh.triangle_count(), passed, deadline);
 
   // Long edges meet in many triangles; each pair is asked about once.
   PerThread<Buffer<Index>> asked([&] { return Buffer<Index>(edges.size(), kNone); });
@@ -99,7 +99,7 @@ Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
         }
       }
   };
-  return Lists(edges.size(), parallel_collect<Pair>(0, edges.size(), 1 << 8, find), deadline);
+  return CsrLists(edges.size(), parallel_collect<Pair>(0, edges.size(), 1 << 8, find), deadline);
 }
 
 }  // namespace hodt

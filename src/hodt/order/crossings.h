@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "hodt/base/csr_lists.h"
 #include "hodt/base/deadline.h"
-#include "hodt/base/lists.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
@@ -17,7 +17,7 @@ struct PlainEdge {
 /// For every edge the others that it crosses: that have a point in common with it which is an end
 /// of neither. Costs the Delaunay triangles that each passes through, and the pairs that meet in
 /// one. Throws TimeIsUp if the deadline passes.
-Lists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
-                const Deadline& deadline = {});
+CsrLists crossings(const DelaunayGraph& graph, std::span<const PlainEdge> edges,
+                   const Deadline& deadline = {});
 
 }  // namespace hodt

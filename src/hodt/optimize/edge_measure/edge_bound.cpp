@@ -13,6 +13,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/mesh/replace_triangles.h"
+#include "hodt/optimize/triangle_measure/edge_side.h"
 #include "hodt/optimize/triangle_measure/faces.h"
 
 namespace hodt {
@@ -25,18 +26,13 @@ using Corners = std::array<VertexId, 3>;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// A valid triangle at an edge.
-struct Use {
-  Index low, high;
-  Index triangle;
-  bool is_left;  // of low -> high
-  double charge;
-
-  auto edge() const { return std::tuple(low, high); }
+struct ChargedSide : EdgeSide {
+  double charge = 0;
 };
 
 /// An edge that can be between two triangles.
 struct Edge {
-  std::span<Use> left, right;
+  std::span<ChargedSide> left, right;
 };
 
 /// As much less for all triangles of a face, so that none costs less than nothing, and back. (Any
@@ -103,8 +99,8 @@ class Bound {
 
  private:
   void find_edges();
-  void sort_uses();
-  double cost(const Edge& edge, const Use& left, const Use& right) const {
+  void sort_sides();
+  double cost(const Edge& edge, const ChargedSide& left, const ChargedSide& right) const {
     return std::min(most_,
                     sign_ * values_.across(VertexId(edge.left[0].low), VertexId(edge.left[0].high),
                                            gradients_[left.triangle], gradients_[right.triangle]));
@@ -131,7 +127,7 @@ class Bound {
   // much more: slivers would spoil the scale.
   const double most_;
   std::vector<EdgeValues::Gradient> gradients_;  // of the triangles
-  std::vector<Use> uses_;
+  std::vector<ChargedSide> sides_;
   std::vector<Edge> edges_;
   // Of faces that are not small, from one round to the next.
   static constexpr std::size_t kSmall = 50;
@@ -141,40 +137,41 @@ class Bound {
 void Bound::find_edges() {
   const std::span<const FaceTriangle> triangles = faces_.triangles();
   gradients_.resize(triangles.size());
-  uses_.resize(3 * triangles.size());
+  sides_.resize(3 * triangles.size());
   parallel_for(0, triangles.size(), 1 << 12, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const auto [a, b, c] = triangles[t].corners;
       gradients_[t] = values_.gradient(a, b, c);
       std::size_t at = 3 * t;
       for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        uses_[at++] = {std::min<Index>(u, v), std::max<Index>(u, v), Index(t), u < v, 0};
+        sides_[at++] = {EdgeSide(u, v, Index(t))};
     }
   });
-  sort_uses();
-  for (auto first = uses_.begin(), last = first; first != uses_.end(); first = last) {
-    while (last != uses_.end() && last->edge() == first->edge()) ++last;
+  sort_sides();
+  for (auto first = sides_.begin(), last = first; first != sides_.end(); first = last) {
+    while (last != sides_.end() && last->edge() == first->edge()) ++last;
     const auto middle =
-        std::partition_point(first, last, [](const Use& use) { return use.is_left; });
+        std::partition_point(first, last, [](const ChargedSide& side) { return side.is_left; });
     if (middle != first && middle != last) edges_.push_back({{first, middle}, {middle, last}});
   }
 }
 
 /// By their edges, what is on the left first: by the lower ends, and then of each of these.
-void Bound::sort_uses() {
+void Bound::sort_sides() {
   const std::size_t n = graph_.xy.size();
   std::vector<std::size_t> first(n + 1, 0);
-  for (const Use& use : uses_) ++first[use.low + 1];
+  for (const ChargedSide& side : sides_) ++first[side.low + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Use> sorted(uses_.size());
+  std::vector<ChargedSide> sorted(sides_.size());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (const Use& use : uses_) sorted[next[use.low]++] = use;
-  uses_ = std::move(sorted);
+  for (const ChargedSide& side : sides_) sorted[next[side.low]++] = side;
+  sides_ = std::move(sorted);
   parallel_for(0, n, 1 << 10, [&](std::size_t v, std::size_t last) {
     deadline_.check();
     for (; v < last; ++v)
-      std::sort(uses_.begin() + std::ptrdiff_t(first[v]),
-                uses_.begin() + std::ptrdiff_t(first[v + 1]), [](const Use& x, const Use& y) {
+      std::sort(sides_.begin() + std::ptrdiff_t(first[v]),
+                sides_.begin() + std::ptrdiff_t(first[v + 1]),
+                [](const ChargedSide& x, const ChargedSide& y) {
                   return std::tuple(x.high, !x.is_left, x.triangle) <
                          std::tuple(y.high, !y.is_left, y.triangle);
                 });
@@ -187,8 +184,8 @@ void Bound::share(const Edge& edge, std::vector<double>& room) const {
   const std::size_t width = edge.right.size();
   room.clear();
   double most = 0;
-  for (const Use& left : edge.left)
-    for (const Use& right : edge.right) {
+  for (const ChargedSide& left : edge.left)
+    for (const ChargedSide& right : edge.right) {
       const double c = cost(edge, left, right);
       most = std::max({most, std::fabs(c), std::fabs(left.charge), std::fabs(right.charge)});
       room.push_back(c - left.charge - right.charge);
@@ -214,9 +211,9 @@ void Bound::share(const Edge& edge, std::vector<double>& room) const {
   charge_left(1);
   // No number on the way was larger than the largest before and after together, a few times over,
   // and each rounding is 2^-53 of such a number at most.
-  for (const std::span<const Use> uses : {edge.left, edge.right})
-    for (const Use& use : uses) most = std::max(most, std::fabs(use.charge));
-  for (Use& use : edge.left) use.charge -= 0x1p-46 * most;
+  for (const std::span<const ChargedSide> sides : {edge.left, edge.right})
+    for (const ChargedSide& side : sides) most = std::max(most, std::fabs(side.charge));
+  for (ChargedSide& side : edge.left) side.charge -= 0x1p-46 * most;
 }
 
 /// What the triangles can spare, from all their edges alike.
@@ -227,8 +224,8 @@ void Bound::take_back(const std::vector<FaceSolution>& solutions) {
     std::copy(solutions[face].spare.begin(), solutions[face].spare.end(), spare.begin() + begin);
   }
   for (const Edge& edge : edges_)
-    for (const std::span<Use> uses : {edge.left, edge.right})
-      for (Use& use : uses) use.charge -= spare[use.triangle] / 3;
+    for (const std::span<ChargedSide> sides : {edge.left, edge.right})
+      for (ChargedSide& side : sides) side.charge -= spare[side.triangle] / 3;
 }
 
 EdgeBound Bound::charge_sums(bool is_thorough) {
@@ -268,9 +265,9 @@ bool Bound::charge_all() {
   for (FaceTriangle& t : faces_.triangles()) t.value = 0;
   // A little less, so that the sum of three is less than that of the charges.
   for (const Edge& edge : edges_)
-    for (const std::span<Use> uses : {edge.left, edge.right})
-      for (const Use& use : uses)
-        faces_.triangles()[use.triangle].value += use.charge - 0x1p-50 * std::fabs(use.charge);
+    for (const std::span<ChargedSide> sides : {edge.left, edge.right})
+      for (const ChargedSide& side : sides)
+        faces_.triangles()[side.triangle].value += side.charge - 0x1p-50 * std::fabs(side.charge);
   return true;
 }
 
@@ -285,11 +282,11 @@ double Bound::least_largest(TriangleMesh& mesh) {
     for (const Edge& edge : edges_) charge_least(edge);
     is_changing = false;
     for (const Edge& edge : edges_)
-      for (const std::span<Use> uses : {edge.left, edge.right})
-        for (const Use& use : uses) {
-          double& value = triangles[use.triangle].value;
-          is_changing |= value < use.charge;
-          value = std::max(value, use.charge);
+      for (const std::span<ChargedSide> sides : {edge.left, edge.right})
+        for (const ChargedSide& side : sides) {
+          double& value = triangles[side.triangle].value;
+          is_changing |= value < side.charge;
+          value = std::max(value, side.charge);
         }
   }
   std::vector<FaceSolution> solutions(faces_.size());
@@ -300,10 +297,10 @@ double Bound::least_largest(TriangleMesh& mesh) {
 
 void Bound::charge_least(const Edge& edge) {
   const std::span<const FaceTriangle> triangles = faces_.triangles();
-  for (const std::span<Use> uses : {edge.left, edge.right})
-    for (Use& use : uses) use.charge = std::numeric_limits<double>::infinity();
-  for (Use& left : edge.left)
-    for (Use& right : edge.right) {
+  for (const std::span<ChargedSide> sides : {edge.left, edge.right})
+    for (ChargedSide& side : sides) side.charge = std::numeric_limits<double>::infinity();
+  for (ChargedSide& left : edge.left)
+    for (ChargedSide& right : edge.right) {
       const double c = cost(edge, left, right);
       left.charge = std::min(left.charge, std::max(c, triangles[right.triangle].value));
       right.charge = std::min(right.charge, std::max(c, triangles[left.triangle].value));
@@ -314,8 +311,8 @@ void Bound::charge_least(const Edge& edge) {
 double Bound::best_pair() const {
   double best = std::numeric_limits<double>::infinity();
   for (const Edge& edge : edges_)
-    for (const Use& left : edge.left)
-      for (const Use& right : edge.right) best = std::min(best, cost(edge, left, right));
+    for (const ChargedSide& left : edge.left)
+      for (const ChargedSide& right : edge.right) best = std::min(best, cost(edge, left, right));
   return std::isfinite(best) ? sign_ * best : 0;
 }
 
@@ -344,7 +341,7 @@ double Bound::solve(Aggregate aggregate, std::vector<FaceSolution>& solutions) {
   Objective objective = objective_;
   objective.direction = Direction::minimize;
   objective.aggregate = aggregate;
-  const Combination least(objective);
+  const Aggregator least(objective);
   std::vector<double> bounds(faces_.size());
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces_.size(), 1, [&](std::size_t first, std::size_t last) {

@@ -46,7 +46,7 @@ class Optimizer {
   };
   /// What some edges cost, by the quadrilaterals on their sides.
   struct Costs {
-    explicit Costs(const Combination& combination) : constant(combination) {}
+    explicit Costs(const Aggregator& aggregator) : constant(aggregator) {}
     Total constant;  // of those without
     std::vector<Single> singles;
     std::vector<ChoicePair> pairs;

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "hodt/base/lists.h"
+#include "hodt/base/csr_lists.h"
 
 namespace hodt {
 
@@ -22,7 +22,7 @@ class Owners {
         ends.emplace_back(v, e);
         ++unowned_[v];
       }
-    edges_at_ = Lists(vertices, ends);
+    edges_at_ = CsrLists(vertices, ends);
   }
 
   /// Ends without another edge own theirs, and what is left goes around in rings.
@@ -62,7 +62,7 @@ class Owners {
   }
 
   const std::span<const PlainEdge> edges_;
-  Lists edges_at_;
+  CsrLists edges_at_;
   Buffer<Index> partners_;
   Buffer<Index> unowned_;  // edges at each vertex
   Buffer<bool> is_owned_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "hodt/optimize/extrema/ranks.h"
+#include "hodt/optimize/extrema/height_ranks.h"
 
 namespace hodt {
 
@@ -37,7 +37,7 @@ bool is_extremum_in(const ConstrainedTriangulation& triangulation, const Heights
 
 Buffer<std::uint8_t> extrema_of(const TriangleMesh& mesh, const Heights& heights,
                                 Objective objective) {
-  const Buffer<Ranks> ranks = ranks_of(mesh, heights);
+  const Buffer<HeightRanks> ranks = height_ranks_of(mesh, heights);
   Buffer<std::uint8_t> extrema(ranks.size());
   for (Index v = 0; v < extrema.size(); ++v)
     extrema[v] = bits_of(objective, [&](Extremum kind) { return ranks[v].is_extremum(kind); });

@@ -7,7 +7,7 @@
 #include "hodt/base/buffer.h"
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/heights.h"
-#include "hodt/optimize/extrema/ranks.h"
+#include "hodt/optimize/extrema/height_ranks.h"
 #include "hodt/order/first_order/first_order.h"
 
 // S is the subdivision of the fixed edges: triangles and convex quadrilaterals. An extremum of S is
@@ -76,7 +76,7 @@ ExtremaSolution Solver::run() {
 }
 
 void Solver::find_extrema() {
-  const Buffer<Ranks> ranks = ranks_of(graph_.mesh, heights_);
+  const Buffer<HeightRanks> ranks = height_ranks_of(graph_.mesh, heights_);
   parallel_for(0, in_s_.size(), 1 << 13, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const VertexId v{Index(i)};

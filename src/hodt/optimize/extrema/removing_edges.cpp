@@ -43,8 +43,8 @@ Candidates candidates_of(const DelaunayGraph& graph, const ExtremaTargets& targe
     edges_of.emplace_back(c.target, edge);
     targets_of.emplace_back(edge, c.target);
   }
-  all.problem.edges_of = Lists(all.targets.size(), edges_of);
-  all.problem.targets_of = Lists(all.edges.size(), targets_of);
+  all.problem.edges_of = CsrLists(all.targets.size(), edges_of);
+  all.problem.targets_of = CsrLists(all.edges.size(), targets_of);
   all.problem.rivals = crossings(graph, all.edges, deadline);
   return all;
 }

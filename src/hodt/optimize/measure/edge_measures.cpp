@@ -88,14 +88,14 @@ void with_measure(EdgeMeasure measure, const F& f) {
 
 EdgeValues::EdgeValues(const Objective& objective, std::span<const Point> xy,
                        std::span<const double> z)
-    : Combination(objective),
+    : Aggregator(objective),
       measure_(std::get<EdgeMeasure>(objective.measure)),
       is_wide_(!is_own() && !(is_plain(xy) && is_plain(z))),
       xy_(xy),
       z_(z) {}
 
 EdgeValues::Gradient EdgeValues::gradient(VertexId u, VertexId v, VertexId w) const {
-  if (is_own()) return {static_cast<double>(u ^ v ^ w), 0};
+  if (is_own()) return Gradient::of_corners(u, v, w);
   // Sorted without branches.
   const Index a = std::min({u, v, w}), c = std::max({u, v, w}), b = u ^ v ^ w ^ a ^ c;
   const double bx = xy_[b].x - xy_[a].x, by = xy_[b].y - xy_[a].y, bz = z_[b] - z_[a];
@@ -149,10 +149,7 @@ double EdgeValues::wide_value(VertexId a, VertexId b, const Gradient& f, const G
 }
 
 double EdgeValues::own_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
-  const auto apex = [&](const Gradient& triangle) {
-    return VertexId(static_cast<Index>(triangle.x) ^ a ^ b);
-  };
-  VertexId left = apex(f), right = apex(g);
+  VertexId left = f.other_corner(a, b), right = g.other_corner(a, b);
   if (b < a) std::swap(a, b), std::swap(left, right);
   const auto corner = [&](VertexId v) {
     return Corner{xy_[v].x, xy_[v].y, z_.empty() ? 0 : z_[v]};

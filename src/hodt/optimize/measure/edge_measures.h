@@ -9,21 +9,28 @@
 #include "hodt/base/buffer.h"
 #include "hodt/geometry/point.h"
 #include "hodt/mesh/triangle_mesh.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 
 namespace hodt {
 
 /// Values of inner edges for an objective with an EdgeMeasure. A view: the points and heights must
 /// outlive it.
-class EdgeValues : public Combination {
+class EdgeValues : public Aggregator {
  public:
   EdgeValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z);
 
   /// What a measure needs to know of a triangle: the gradient of the plane through its corners, the
-  /// same bits whatever corner comes first. For measures of one's own the corners: x is that number
-  /// which, with the other two corners, exclusive or makes the third one.
+  /// same bits whatever corner comes first. A measure of one's own needs the corners themselves.
   struct Gradient {
     double x, y;
+
+    /// Keeps three corners instead, so that two of them tell the third one.
+    static Gradient of_corners(VertexId a, VertexId b, VertexId c) {
+      return {static_cast<double>(a ^ b ^ c), 0};
+    }
+    VertexId other_corner(VertexId a, VertexId b) const {
+      return VertexId(static_cast<Index>(x) ^ a ^ b);
+    }
   };
   /// Throws InputError if a double cannot hold it.
   Gradient gradient(VertexId a, VertexId b, VertexId c) const;

@@ -203,9 +203,9 @@ HODT_INLINE double gain_of_pair(double sign, double a1, double a2, double b1, do
 
 /// Calls f with the comparison that the objective makes.
 template <class F>
-void with_better_pair(const Combination& combination, const F& f) {
-  const double sign = combination.sign();
-  switch (combination.objective().aggregate) {
+void with_better_pair(const Aggregator& aggregator, const F& f) {
+  const double sign = aggregator.sign();
+  switch (aggregator.objective().aggregate) {
     case Aggregate::sum:
       return f([sign](auto... values)
                    HODT_INLINE_LAMBDA { return is_better_pair<Aggregate::sum>(sign, values...); });
@@ -220,7 +220,7 @@ void with_better_pair(const Combination& combination, const F& f) {
 
 /// Triangles or quadrilaterals side by side.
 template <int kCorners>
-class Block {
+class CornerBlock {
  public:
   static constexpr std::size_t kSize =
       248;  // no power of two: see order/first_order/nearest_beyond.cpp
@@ -247,7 +247,7 @@ class Block {
   std::array<std::array<double, kSize>, kCorners> x_, y_;
 };
 
-constexpr std::size_t kBlock = Block<3>::kSize;
+constexpr std::size_t kBlock = CornerBlock<3>::kSize;
 
 bool is_angle(TriangleMeasure measure) {
   return measure.kind == TriangleMeasure::angle || measure.kind == TriangleMeasure::small_angle;
@@ -273,7 +273,7 @@ void add_missed(double sign, std::size_t size, PairColumns fresh, PairColumns ol
 
 TriangleValues::TriangleValues(const Objective& objective, std::span<const Point> xy,
                                std::span<const double> z)
-    : Combination(objective),
+    : Aggregator(objective),
       measure_(std::get<TriangleMeasure>(objective.measure)),
       is_wide_(measure_.kind != TriangleMeasure::own && !is_plain(xy)),
       is_one_by_one_(is_wide_ || measure_.kind == TriangleMeasure::own ||
@@ -382,9 +382,10 @@ double TriangleValues::rank(VertexId a, VertexId b, VertexId c) const {
 }
 
 /// Those of triangles, or of the triangles at edges, a block at a time.
-class TriangleValues::Ranks {
+class TriangleValues::BlockRanks {
  public:
-  Ranks(const TriangleValues& values, const TriangleMesh& mesh) : values_(values), mesh_(mesh) {}
+  BlockRanks(const TriangleValues& values, const TriangleMesh& mesh)
+      : values_(values), mesh_(mesh) {}
 
   /// Of the triangles from `first` on.
   const double* of_triangles(std::size_t first, std::size_t size) {
@@ -473,15 +474,15 @@ class TriangleValues::Ranks {
 
   const TriangleValues& values_;
   const TriangleMesh& mesh_;
-  Block<3> triangles_;
+  CornerBlock<3> triangles_;
   std::array<std::array<VertexId, 4>, kBlock> corner_;
-  Block<4> quadrilaterals_;
+  CornerBlock<4> quadrilaterals_;
   std::array<Column, 2> now_, flipped_;
 };
 
 std::size_t TriangleValues::keep_better_flips(const TriangleMesh& mesh, std::span<HalfEdgeId> edges,
                                               ExactSum& missed) const {
-  Ranks ranks(*this, mesh);
+  BlockRanks ranks(*this, mesh);
   std::array<bool, kBlock> is_better;
   std::size_t kept = 0;
   for (std::size_t begin = 0; begin < edges.size(); begin += kBlock) {
@@ -501,7 +502,7 @@ std::size_t TriangleValues::keep_better_flips(const TriangleMesh& mesh, std::spa
 }
 
 struct TriangleValues::Totals {
-  explicit Totals(const Combination& combination) : before(combination), after(combination) {}
+  explicit Totals(const Aggregator& aggregator) : before(aggregator), after(aggregator) {}
 
   Total before, after;
   ExactSum replaced;  // for sums: the difference of what flips make to this is what changes
@@ -511,7 +512,7 @@ struct TriangleValues::Totals {
 /// flipped.
 TriangleValues::Totals TriangleValues::fold(const TriangleMesh& mesh, std::size_t first,
                                             std::size_t last, const Buffer<bool>& flipped) const {
-  Ranks ranks(*this, mesh);
+  BlockRanks ranks(*this, mesh);
   Totals totals(*this);
   std::array<double, kBlock> staying;
   for (std::size_t begin = first; begin < last; begin += kBlock) {
@@ -521,7 +522,7 @@ TriangleValues::Totals TriangleValues::fold(const TriangleMesh& mesh, std::size_
     if (is_sum()) continue;
     const bool* const is_flipped = &flipped[begin];
     run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
-      for (std::size_t i = 0; i < size; ++i) staying[i] = is_flipped[i] ? neutral() : rank[i];
+      for (std::size_t i = 0; i < size; ++i) staying[i] = is_flipped[i] ? identity() : rank[i];
     });
     totals.after.add({staying.data(), size});
   }
@@ -532,7 +533,7 @@ TriangleValues::Totals TriangleValues::fold(const TriangleMesh& mesh, std::size_
 TriangleValues::Totals TriangleValues::fold_flipped(const TriangleMesh& mesh,
                                                     std::span<const HalfEdgeId> flips,
                                                     Buffer<bool>& flipped) const {
-  Ranks ranks(*this, mesh);
+  BlockRanks ranks(*this, mesh);
   Totals totals(*this);
   for (std::size_t begin = 0; begin < flips.size(); begin += kBlock) {
     const auto part = flips.subspan(begin, std::min(kBlock, flips.size() - begin));

@@ -1,5 +1,6 @@
 // What a triangle measures. A new measure is one more function here, and a name in objective; one's
 // own is an OwnTriangleMeasure.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +9,13 @@
 #include "hodt/base/buffer.h"
 #include "hodt/geometry/point.h"
 #include "hodt/mesh/triangle_mesh.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 
 namespace hodt {
 
 /// Values of triangles for an objective with a TriangleMeasure, and how they combine. `z` may be
 /// empty unless the measure needs heights. A view: the points and heights must outlive it.
-class TriangleValues : public Combination {
+class TriangleValues : public Aggregator {
  public:
   TriangleValues(const Objective& objective, std::span<const Point> xy, std::span<const double> z);
 
@@ -51,7 +52,7 @@ class TriangleValues : public Combination {
  private:
   // Ranks compare as values do, and for sums they are the values: angles that are compared only
   // need no arctangents. They are measured block by block, or one by one.
-  class Ranks;
+  class BlockRanks;
   struct Totals;
   template <class F>
   void with_rank(const F& f) const;

@@ -7,18 +7,18 @@
 
 namespace hodt {
 
-void ChoicePair::add(const Combination& combination, Index from,
+void ChoicePair::add(const Aggregator& aggregator, Index from,
                      const std::array<SingleCosts, 2>& more) {
   for (const bool x : kBoth)
     for (const bool y : kBoth) {
       double& cost = from == i ? costs[x][y] : costs[y][x];
-      cost = combine_outward(combination, cost, more[x][y]);
+      cost = combine_outward(aggregator, cost, more[x][y]);
     }
 }
 
-ChoiceGraph::ChoiceGraph(const Combination& combination, std::vector<SingleCosts> singles,
+ChoiceGraph::ChoiceGraph(const Aggregator& aggregator, std::vector<SingleCosts> singles,
                          std::vector<ChoicePair> pairs)
-    : combination_(combination),
+    : aggregator_(aggregator),
       singles_(std::move(singles)),
       pairs_(std::move(pairs)),
       first_(singles_.size() + 1, 0),
@@ -30,7 +30,7 @@ ChoiceGraph::ChoiceGraph(const Combination& combination, std::vector<SingleCosts
     const auto& [i, j, costs] = pairs_[p];
     const std::size_t known = find_link(i, j);
     if (known < first_[i] + degree_[i]) {
-      pairs_[links_[known].pair].add(combination_, i, costs);
+      pairs_[links_[known].pair].add(aggregator_, i, costs);
       continue;
     }
     links_[first_[i] + degree_[i]++] = {j, p};
@@ -58,14 +58,14 @@ void ChoiceGraph::join(Index j, Index k, Index i, const std::array<SingleCosts, 
     pairs_.push_back({j, k, costs});
     return;
   }
-  pairs_[links_[known].pair].add(combination_, j, costs);
+  pairs_[links_[known].pair].add(aggregator_, j, costs);
   unlink(j, i);
   unlink(k, i);
 }
 
 /// What i costs if nothing depends on it, else nothing.
 std::optional<double> ChoiceGraph::eliminate(Index i) {
-  const Combination& c = combination_;
+  const Aggregator& c = aggregator_;
   const std::span<const Link> others = links(i);
   Decision decision{i, kNone, kNone, {}};
   const auto best = [&](std::size_t setting, double without, double with) {
@@ -103,7 +103,7 @@ std::optional<double> ChoiceGraph::eliminate(Index i) {
 }
 
 Total ChoiceGraph::eliminate_simple() {
-  Total decided(combination_);
+  Total decided(aggregator_);
   std::vector<Index> simple;
   for (Index seed = 0; seed < size(); ++seed) {
     simple.assign(1, seed);

@@ -1,5 +1,6 @@
 // Choices between two whose costs depend on pairs of them, as a graph, and what of it can be
 // decided one choice at a time.
+// Tested by tests/optimize/choices_test.cpp.
 #pragma once
 
 #include <array>
@@ -9,7 +10,7 @@
 #include <vector>
 
 #include "hodt/base/ids.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 
 namespace hodt {
 
@@ -27,7 +28,7 @@ struct ChoicePair {
     return from == i ? costs[chosen][other_chosen] : costs[other_chosen][chosen];
   }
   /// Combines these costs, [from][other], with its own; sums are rounded outward.
-  void add(const Combination& combination, Index from, const std::array<SingleCosts, 2>& more);
+  void add(const Aggregator& aggregator, Index from, const std::array<SingleCosts, 2>& more);
 };
 
 class ChoiceGraph {
@@ -37,11 +38,11 @@ class ChoiceGraph {
   };
 
   /// Several pairs of the same two choices become one.
-  ChoiceGraph(const Combination& combination, std::vector<SingleCosts> singles,
+  ChoiceGraph(const Aggregator& aggregator, std::vector<SingleCosts> singles,
               std::vector<ChoicePair> pairs);
 
   std::size_t size() const { return singles_.size(); }
-  const Combination& combination() const { return combination_; }
+  const Aggregator& aggregator() const { return aggregator_; }
   const SingleCosts& single(Index i) const { return singles_[i]; }
   const ChoicePair& pair(Index p) const { return pairs_[p]; }
   /// The pairs that the choice is in, with choices not yet eliminated.
@@ -74,7 +75,7 @@ class ChoiceGraph {
   void unlink(Index i, Index from);
   void join(Index j, Index k, Index i, const std::array<SingleCosts, 2>& costs);
 
-  Combination combination_;
+  Aggregator aggregator_;
   std::vector<SingleCosts> singles_;
   std::vector<ChoicePair> pairs_;
   std::vector<std::size_t> first_;  // of each choice's links

@@ -11,16 +11,16 @@
 
 namespace hodt {
 
-Choices::Choices(const Combination& combination, Index count)
-    : combination_(combination),
-      singles_(count, {combination.neutral(), combination.neutral()}),
-      lost_(combination.is_sum() ? count : 0, {0, 0}) {}
+Choices::Choices(const Aggregator& aggregator, Index count)
+    : aggregator_(aggregator),
+      singles_(count, {aggregator.identity(), aggregator.identity()}),
+      lost_(aggregator.is_sum() ? count : 0, {0, 0}) {}
 
 void Choices::add(Index i, const SingleCosts& costs) {
   for (const bool x : kBoth) {
     const double before = singles_[i][x];
-    const double sum = singles_[i][x] = combination_.combine(before, costs[x]);
-    if (!combination_.is_sum()) continue;
+    const double sum = singles_[i][x] = aggregator_.combine(before, costs[x]);
+    if (!aggregator_.is_sum()) continue;
     const double lost = lost_in_sum(before, costs[x], sum), lost_before = lost_[i][x];
     const double all = lost_[i][x] = lost_before + lost;
     const double rest = lost_in_sum(lost_before, lost, all);
@@ -38,7 +38,7 @@ namespace {
 /// in all that could be better.
 PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
                          const PartChoices& known, const Deadline& deadline) {
-  const Combination& c = graph.combination();
+  const Aggregator& c = graph.aggregator();
   std::vector<Index> open, number(part.size(), kNone);
   std::vector<bool> chosen_before;  // of the open ones
   for (Index i = 0; i < part.size(); ++i) {
@@ -85,7 +85,7 @@ PartChoices best_of_open(const ChoiceGraph& graph, std::span<const Index> part,
 
 PartChoices best_of(const ChoiceGraph& graph, std::span<const Index> part,
                     const Deadline& deadline) {
-  if (graph.combination().objective().aggregate != Aggregate::sum)
+  if (graph.aggregator().objective().aggregate != Aggregate::sum)
     return choose_by_limits(graph, part, deadline);
   const PartChoices best = choose_by_messages(graph, part, deadline);
   if (best.is_best || deadline.passed()) return best;
@@ -100,7 +100,7 @@ PartChoices best_of(const ChoiceGraph& graph, std::span<const Index> part,
 }  // namespace
 
 Total Choices::total(const std::vector<bool>& chosen) const {
-  Total total(combination_);
+  Total total(aggregator_);
   std::array<double, 256> costs;
   std::size_t size = 0;
   const auto add_up = [&] { total.add({costs.data(), std::exchange(size, 0)}); };
@@ -122,17 +122,17 @@ Total Choices::total(const std::vector<bool>& chosen) const {
 /// No exact sum of single costs is better.
 std::vector<SingleCosts> Choices::outward_singles() const {
   std::vector<SingleCosts> singles = singles_;
-  const double sign = combination_.sign();
+  const double sign = aggregator_.sign();
   for (std::size_t i = 0; i < lost_.size(); ++i)
     for (const bool x : kBoth)
-      singles[i][x] = combine_outward(combination_, singles[i][x], lost_[i][x]);
+      singles[i][x] = combine_outward(aggregator_, singles[i][x], lost_[i][x]);
   for (const Rest& rest : rests_)
     singles[rest.choice][rest.chosen] = outward(singles[rest.choice][rest.chosen], sign);
   return singles;
 }
 
 Choices::Result Choices::best(const Deadline& deadline) const {
-  ChoiceGraph graph(combination_, outward_singles(), pairs_);
+  ChoiceGraph graph(aggregator_, outward_singles(), pairs_);
   Result result{std::vector<bool>(graph.size(), false), graph.eliminate_simple()};
   for (const std::vector<Index>& part : graph.parts()) {
     const PartChoices best = best_of(graph, part, deadline);

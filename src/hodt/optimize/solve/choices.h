@@ -7,7 +7,7 @@
 
 #include "hodt/base/deadline.h"
 #include "hodt/base/ids.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 #include "hodt/optimize/solve/choice_graph.h"
 
 namespace hodt {
@@ -15,7 +15,7 @@ namespace hodt {
 /// Costs of single choices and of pairs: what all of them combine to is to be best.
 class Choices {
  public:
-  Choices(const Combination& combination, Index count);
+  Choices(const Aggregator& aggregator, Index count);
 
   /// Adds to what choice i costs if it is 0 or 1.
   void add(Index i, const SingleCosts& costs);
@@ -38,7 +38,7 @@ class Choices {
  private:
   std::vector<SingleCosts> outward_singles() const;
 
-  Combination combination_;
+  Aggregator aggregator_;
   std::vector<SingleCosts> singles_;
   std::vector<ChoicePair> pairs_;
   // By sums: what rounding took from the single costs, and if that was rounded, the rest.

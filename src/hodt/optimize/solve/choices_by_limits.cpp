@@ -1,3 +1,5 @@
+// Tested by tests/optimize/choices_test.cpp.
+
 #include <algorithm>
 #include <array>
 
@@ -33,7 +35,7 @@ class WithinLimit {
  private:
   enum State : std::uint8_t { kFalse, kTrue, kOpen };
 
-  bool is_worse(double cost) const { return graph_.combination().better(limit_, cost); }
+  bool is_worse(double cost) const { return graph_.aggregator().better(limit_, cost); }
 
   /// Decides i and all that follows; nothing if that is a contradiction.
   bool follows(Index i, bool x) {
@@ -80,7 +82,7 @@ std::vector<double> costs_best_first(const ChoiceGraph& graph, std::span<const I
         costs.insert(costs.end(), pair.begin(), pair.end());
   }
   std::sort(costs.begin(), costs.end(),
-            [&](double x, double y) { return graph.combination().better(x, y); });
+            [&](double x, double y) { return graph.aggregator().better(x, y); });
   costs.erase(std::unique(costs.begin(), costs.end()), costs.end());
   return costs;
 }
@@ -135,8 +137,8 @@ PartChoices best_best(const ChoiceGraph& graph, std::span<const Index> part) {
 
 PartChoices choose_by_limits(const ChoiceGraph& graph, std::span<const Index> part,
                              const Deadline& deadline) {
-  return graph.combination().worst_counts() ? best_worst(graph, part, deadline)
-                                            : best_best(graph, part);
+  return graph.aggregator().worst_counts() ? best_worst(graph, part, deadline)
+                                           : best_best(graph, part);
 }
 
 }  // namespace hodt

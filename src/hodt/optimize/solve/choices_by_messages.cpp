@@ -1,3 +1,5 @@
+// Tested by tests/optimize/choices_test.cpp.
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,7 +64,7 @@ class Messages {
 };
 
 Messages::Messages(const ChoiceGraph& graph, std::span<const Index> part)
-    : sign_(graph.combination().sign()) {
+    : sign_(graph.aggregator().sign()) {
   std::vector<std::vector<Index>> earlier(part.size()), later(part.size());
   for (Index i = 0; i < part.size(); ++i)
     for (const ChoiceGraph::Link& link : graph.links(part[i])) {

@@ -1,3 +1,5 @@
+// Tested by tests/optimize/choices_test.cpp.
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -44,7 +46,7 @@ class Tables {
 };
 
 Tables::Tables(const ChoiceGraph& graph, std::span<const Index> part)
-    : graph_(graph), part_(part), places_(part.size()), value_(graph.combination().neutral()) {
+    : graph_(graph), part_(part), places_(part.size()), value_(graph.aggregator().identity()) {
   for (Index i = 0; i < part.size(); ++i)
     for (const ChoiceGraph::Link& link : graph.links(part[i]))
       places_[i].neighbours.insert(place_in(part_, link.to));
@@ -75,7 +77,7 @@ double Tables::value(Index i, bool chosen, const std::vector<Index>& scope,
   for (const ChoiceGraph::Link& link : graph_.links(part_[i])) {
     const Index j = place_in(part_, link.to);
     if (places_[j].is_done) continue;  // in a table
-    value = combine_outward(graph_.combination(), value,
+    value = combine_outward(graph_.aggregator(), value,
                             graph_.pair(link.pair).cost(part_[i], chosen, is_set(j)));
   }
   for (const Index t : places_[i].tables) {
@@ -83,13 +85,13 @@ double Tables::value(Index i, bool chosen, const std::vector<Index>& scope,
     std::size_t own = 0;
     for (std::size_t b = 0; b < table.scope.size(); ++b)
       own |= std::size_t(is_set(table.scope[b])) << b;
-    value = combine_outward(graph_.combination(), value, table.values[own]);
+    value = combine_outward(graph_.aggregator(), value, table.values[own]);
   }
   return value;
 }
 
 bool Tables::eliminate(Index i) {
-  const Combination& c = graph_.combination();
+  const Aggregator& c = graph_.aggregator();
   const std::set<Index>& around = places_[i].neighbours;
   settings_ += std::size_t(1) << around.size();
   if (around.size() > kMostWidth || settings_ > kMostSettings) return false;
@@ -114,7 +116,7 @@ bool Tables::eliminate(Index i) {
       if (k != j) places_[j].neighbours.insert(k);
     places_[j].tables.push_back(at);
   }
-  if (table.scope.empty()) value_ = combine_outward(graph_.combination(), value_, table.values[0]);
+  if (table.scope.empty()) value_ = combine_outward(graph_.aggregator(), value_, table.values[0]);
   tables_.push_back(std::move(table));
   return true;
 }

@@ -4,15 +4,15 @@
 #include <cstddef>
 #include <vector>
 
+#include "hodt/base/csr_lists.h"
 #include "hodt/base/deadline.h"
-#include "hodt/base/lists.h"
 
 namespace hodt {
 
 struct SelectionProblem {
-  Lists edges_of;             ///< the edges that serve a target, each of them one at least
-  Lists targets_of;           ///< the same by edges
-  Lists rivals;               ///< the edges that an edge excludes
+  CsrLists edges_of;          ///< the edges that serve a target, each of them one at least
+  CsrLists targets_of;        ///< the same by edges
+  CsrLists rivals;            ///< the edges that an edge excludes
   std::vector<Index> orders;  ///< of edges: the smaller the better, between equals
 };
 

@@ -1,4 +1,5 @@
 // Problems of selection that do not depend on each other.
+// Tested by tests/optimize/edge_selection_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -38,9 +39,9 @@ SelectionPart part_of(const SelectionProblem& whole, std::vector<Index> targets,
     part.problem.orders.push_back(whole.orders[part.edges[e]]);
     for (const Index r : rivals(part.edges[e])) excluded.emplace_back(e, number(r));
   }
-  part.problem.edges_of = Lists(part.targets.size(), edges);
-  part.problem.targets_of = Lists(part.edges.size(), served);
-  part.problem.rivals = Lists(part.edges.size(), excluded);
+  part.problem.edges_of = CsrLists(part.targets.size(), edges);
+  part.problem.targets_of = CsrLists(part.edges.size(), served);
+  part.problem.rivals = CsrLists(part.edges.size(), excluded);
   return part;
 }
 

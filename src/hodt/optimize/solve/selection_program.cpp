@@ -48,7 +48,7 @@ BinaryRows rows_of(const SelectionProblem& problem, const Deadline& deadline) {
     rows.low.push_back(-BinaryRows::kInfinite);
     rows.high.push_back(1);
   }
-  const Lists by_column(edges + targets, entries);
+  const CsrLists by_column(edges + targets, entries);
   for (Index column = 0; column < by_column.size(); ++column) {
     for (const Index row : by_column[column]) rows.row.push_back(int(row));
     rows.first.push_back(rows.row.size());

@@ -1,4 +1,5 @@
 // One face of the fixed edges, to be triangulated as well as possible.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "hodt/base/ids.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 
 namespace hodt {
 

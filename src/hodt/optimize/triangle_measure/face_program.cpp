@@ -9,34 +9,24 @@
 #include <vector>
 
 #include "hodt/optimize/rounded_sum.h"
+#include "hodt/optimize/triangle_measure/edge_side.h"
 
 namespace hodt {
 
 namespace {
 
-/// An edge of one of the triangles, or a side of the face (triangle kNone).
-struct Use {
-  Index low, high;
-  bool forward;  // from low to high
-  Index triangle;
-  auto key() const { return std::tuple(low, high); }
-};
-
-Use use_of(VertexId u, VertexId v, Index triangle) {
-  return {std::min<Index>(u, v), std::max<Index>(u, v), u < v, triangle};
-}
-
 /// A row for every inner edge (left minus right is 0), and one for every side (the sum is 1).
 BinaryRows rows_of(const FaceProblem& face) {
-  std::vector<std::pair<Use, int>> uses;  // with the entry
+  // Of the triangles, each with its entry, and of the face (triangle kNone).
+  std::vector<std::pair<EdgeSide, int>> sides;
   for (Index t = 0; t < face.triangles.size(); ++t)
     for (Index i = 0; i < 3; ++i) {
       const auto& corners = face.triangles[t].corners;
-      uses.emplace_back(use_of(corners[i], corners[(i + 1) % 3], t), int(3 * t + i));
+      sides.emplace_back(EdgeSide(corners[i], corners[(i + 1) % 3], t), int(3 * t + i));
     }
-  for (const auto& [u, v] : face.sides) uses.emplace_back(use_of(u, v, kNone), -1);
-  std::sort(uses.begin(), uses.end(), [](const auto& a, const auto& b) {
-    return std::tuple(a.first.key(), a.second) < std::tuple(b.first.key(), b.second);
+  for (const auto& [u, v] : face.sides) sides.emplace_back(EdgeSide(u, v, kNone), -1);
+  std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) {
+    return std::tuple(a.first.edge(), a.second) < std::tuple(b.first.edge(), b.second);
   });
   BinaryRows program;
   for (std::size_t t = 0; t < face.triangles.size(); ++t) program.first.push_back(3 * t + 3);
@@ -46,19 +36,19 @@ BinaryRows rows_of(const FaceProblem& face) {
     program.low.push_back(0);
     return int(program.low.size()) - 1;
   };
-  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
-    while (last < uses.size() && uses[last].first.key() == uses[first].first.key()) ++last;
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].first.edge() == sides[first].first.edge()) ++last;
     // Sides sort first. An edge with both sides on the face has two.
-    const bool is_side = uses[first].second < 0;
+    const bool is_side = sides[first].second < 0;
     const int left = new_row(), right = is_side ? new_row() : left;
     for (std::size_t i = first; i < last; ++i) {
-      const auto& [use, entry] = uses[i];
-      const int row = use.forward ? left : right;
+      const auto& [side, entry] = sides[i];
+      const int row = side.is_left ? left : right;
       if (entry < 0) {
         program.low[std::size_t(row)] = 1;
       } else {
         program.row[std::size_t(entry)] = row;
-        program.factor[std::size_t(entry)] = is_side || use.forward ? 1 : -1;
+        program.factor[std::size_t(entry)] = is_side || side.is_left ? 1 : -1;
       }
     }
   }
@@ -71,7 +61,7 @@ double enough(const FaceProblem& face) {
   return 1e-10 * double(face.size);
 }
 
-FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face, const Combination& values) {
+FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face, const Aggregator& values) {
   const double sign = values.sign();
   // A triangle that costs more than all of a triangulation at hand is never worth it, however much
   // more, and a sliver's circumradius would spoil the scale.
@@ -93,7 +83,7 @@ FaceSolution best_sum(BinaryProgram& program, const FaceProblem& face, const Com
 }
 
 /// Values from best to worst, each once.
-std::vector<double> values_best_first(const FaceProblem& face, const Combination& values) {
+std::vector<double> values_best_first(const FaceProblem& face, const Aggregator& values) {
   std::vector<double> all;
   for (const FaceTriangle& t : face.triangles) all.push_back(t.value);
   std::sort(all.begin(), all.end(), [&](double a, double b) { return values.better(a, b); });
@@ -102,7 +92,7 @@ std::vector<double> values_best_first(const FaceProblem& face, const Combination
 }
 
 /// No triangulation of the face does without a value as bad as this: each side has a triangle.
-double unavoidable(const FaceProblem& face, const Combination& values) {
+double unavoidable(const FaceProblem& face, const Aggregator& values) {
   std::map<std::pair<VertexId, VertexId>, double> best_at;
   for (const auto& side : face.sides) best_at.emplace(side, values.worst());
   for (const FaceTriangle& t : face.triangles)
@@ -110,15 +100,14 @@ double unavoidable(const FaceProblem& face, const Combination& values) {
       const auto at = best_at.find({t.corners[i], t.corners[(i + 1) % 3]});
       if (at != best_at.end() && values.better(t.value, at->second)) at->second = t.value;
     }
-  double worst = values.neutral();
+  double worst = values.identity();
   for (const auto& [side, best] : best_at) worst = values.combine(worst, best);
   return worst;
 }
 
 /// The worst value counts: bisects for the least bad one that a triangulation can do with. That
 /// there is none without a worse triangle is proven by a bound above zero on their number.
-FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
-                        const Combination& values) {
+FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face, const Aggregator& values) {
   constexpr double kSomeAreWorse = 1e-6;
   const std::vector<double> candidates = values_best_first(face, values);
   const auto place_of = [&](double value) {
@@ -150,7 +139,7 @@ FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
   best.bound = candidates[proven];
   if (program.is_out_of_time()) return best;
   // With the worst value as it is, the others as good as can be.
-  double worst = best.chosen.empty() ? face.value : values.neutral();
+  double worst = best.chosen.empty() ? face.value : values.identity();
   for (const Index t : best.chosen) worst = values.combine(worst, face.triangles[t].value);
   const double too_much = double(face.size) + 1;
   std::vector<double> costs;
@@ -165,7 +154,7 @@ FaceSolution best_worst(BinaryProgram& program, const FaceProblem& face,
 }
 
 /// The best value counts: any triangle that some triangulation has.
-FaceSolution best_best(BinaryProgram& program, const FaceProblem& face, const Combination& values) {
+FaceSolution best_best(BinaryProgram& program, const FaceProblem& face, const Aggregator& values) {
   Index best = 0;
   for (Index t = 1; t < face.triangles.size(); ++t)
     if (values.better(face.triangles[t].value, face.triangles[best].value)) best = t;
@@ -186,7 +175,7 @@ FaceProgram::FaceProgram(const FaceProblem& face, const Deadline& deadline,
                          std::size_t most_programs)
     : program_(rows_of(face), face.size, deadline, most_programs) {}
 
-FaceSolution FaceProgram::solve(const FaceProblem& face, const Combination& values) {
+FaceSolution FaceProgram::solve(const FaceProblem& face, const Aggregator& values) {
   if (values.objective().aggregate == Aggregate::sum) return best_sum(program_, face, values);
   return values.worst_counts() ? best_worst(program_, face, values)
                                : best_best(program_, face, values);

@@ -1,4 +1,5 @@
 // The best triangulation of any face, as a linear program.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@ class FaceProgram {
   /// The bound is valid always; `chosen` is empty if the deadline, or `most_programs` for one
   /// vector of costs, came before a triangulation. REQUIRES the face with which it was made, up to
   /// values.
-  FaceSolution solve(const FaceProblem& face, const Combination& values);
+  FaceSolution solve(const FaceProblem& face, const Aggregator& values);
 
  private:
   BinaryProgram program_;

@@ -14,13 +14,13 @@ namespace {
 using Corners = std::array<VertexId, 3>;
 
 /// Proven, and little more: every place has a triangle, one of those given.
-double loose_bound(const FaceProblem& face, const Combination& combination) {
+double loose_bound(const FaceProblem& face, const Aggregator& aggregator) {
   double best = face.triangles.front().value;
   for (const FaceTriangle& t : face.triangles)
-    if (combination.better(t.value, best)) best = t.value;
-  if (!combination.is_sum()) return best;
+    if (aggregator.better(t.value, best)) best = t.value;
+  if (!aggregator.is_sum()) return best;
   const double product = double(face.size) * best;
-  return bound_within(combination, product, 0x1p-52 * product);
+  return bound_within(aggregator, product, 0x1p-52 * product);
 }
 
 }  // namespace
@@ -77,11 +77,11 @@ TriangleId Faces::beginning_at(VertexId v, VertexId w, Index most) const {
   return {};
 }
 
-FaceSolution Faces::solve(Index face, const Combination& combination, double value,
+FaceSolution Faces::solve(Index face, const Aggregator& aggregator, double value,
                           const Deadline& deadline, std::size_t most_programs,
                           PolygonOptimum& polygon, std::unique_ptr<FaceProgram>* program) {
   const auto bound_only = [&](const FaceProblem& problem) {
-    return FaceSolution{{}, loose_bound(problem, combination)};
+    return FaceSolution{{}, loose_bound(problem, aggregator)};
   };
   if (deadline.passed()) return bound_only({triangles(face), {}, places(face).size(), value});
   std::vector<std::pair<VertexId, VertexId>> sides;
@@ -90,16 +90,16 @@ FaceSolution Faces::solve(Index face, const Combination& combination, double val
       if (const HalfEdgeId h(3 * t + i); fixed_[h])
         sides.emplace_back(graph_.mesh.origin(h), graph_.mesh.target(h));
   const FaceProblem problem{triangles(face), sides, places(face).size(), value};
-  if (std::optional<FaceSolution> best = polygon.solve(problem, combination))
+  if (std::optional<FaceSolution> best = polygon.solve(problem, aggregator))
     return *std::move(best);
   if (!FaceProgram::fits(problem, deadline)) return bound_only(problem);
   std::unique_ptr<FaceProgram> own;
   std::unique_ptr<FaceProgram>& kept = program != nullptr ? *program : own;
   if (!kept) kept = std::make_unique<FaceProgram>(problem, deadline, most_programs);
-  FaceSolution solution = kept->solve(problem, combination);
+  FaceSolution solution = kept->solve(problem, aggregator);
   // A solver that fails leaves none, or a bad one.
-  const double loose = loose_bound(problem, combination);
-  if (!combination.better(loose, solution.bound)) solution.bound = loose;
+  const double loose = loose_bound(problem, aggregator);
+  if (!aggregator.better(loose, solution.bound)) solution.bound = loose;
   return solution;
 }
 

@@ -1,4 +1,5 @@
 // The faces of the fixed edges, each with its valid triangles.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 #include "hodt/base/buffer.h"
 #include "hodt/base/deadline.h"
-#include "hodt/optimize/combination.h"
+#include "hodt/optimize/aggregator.h"
 #include "hodt/optimize/triangle_measure/face_problem.h"
 #include "hodt/optimize/triangle_measure/face_program.h"
 #include "hodt/optimize/triangle_measure/polygon_optimum.h"
@@ -40,7 +41,7 @@ class Faces {
   /// dynamic programming if the face is a polygon, else by linear programs (`most_programs`),
   /// unless time is over. `value`: of a triangulation of the face at hand. A program that is made
   /// is left in `program`, if given, to begin with the next time.
-  FaceSolution solve(Index face, const Combination& combination, double value,
+  FaceSolution solve(Index face, const Aggregator& aggregator, double value,
                      const Deadline& deadline, std::size_t most_programs, PolygonOptimum& polygon,
                      std::unique_ptr<FaceProgram>* program = nullptr);
 

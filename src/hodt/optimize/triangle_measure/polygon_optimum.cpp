@@ -32,7 +32,7 @@ Index PolygonOptimum::position(VertexId v) const {
 }
 
 std::optional<FaceSolution> PolygonOptimum::solve(const FaceProblem& face,
-                                                  const Combination& values) {
+                                                  const Aggregator& values) {
   if (face.sides.size() > kMostVertices || !walk_around(face)) return std::nullopt;
   const auto m = static_cast<Index>(positions_.size());
   placed_.clear();
@@ -50,7 +50,7 @@ std::optional<FaceSolution> PolygonOptimum::solve(const FaceProblem& face,
   best_.assign(std::size_t(m) * m, {0, 0, 0, kNone, kNone});
   const auto best = [&](Index i, Index j) -> Best& { return best_[std::size_t(i) * m + j]; };
   for (Index i = 0; i + 1 < m; ++i)
-    best(i, i + 1) = {values.neutral(), 0, values.neutral(), kNone, i};
+    best(i, i + 1) = {values.identity(), 0, values.identity(), kNone, i};
   for (const Placed& p : placed_) {
     const Best &left = best(p.first, p.apex), &right = best(p.apex, p.last);
     if (left.apex == kNone || right.apex == kNone) continue;

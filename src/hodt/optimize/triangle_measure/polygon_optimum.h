@@ -1,4 +1,5 @@
 // The best triangulation of a polygon from given triangles.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <optional>
@@ -16,7 +17,7 @@ class PolygonOptimum {
  public:
   static constexpr Index kMostVertices = 600;
 
-  std::optional<FaceSolution> solve(const FaceProblem& face, const Combination& values);
+  std::optional<FaceSolution> solve(const FaceProblem& face, const Aggregator& values);
 
  private:
   struct Best {

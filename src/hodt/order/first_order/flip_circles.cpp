@@ -12,7 +12,7 @@ namespace {
 
 /// Edges side by side, with their apexes and the neighbours of both ends: of an end, these are all
 /// that its circle has to be asked about (see CircleCounter).
-class Block {
+class EdgeBlock {
  public:
   static constexpr std::size_t kSize = 60;  // no power of two: see nearest_beyond.cpp
   enum Verdict { kNo, kYes, kUnknown };
@@ -51,7 +51,7 @@ class Block {
   std::array<double, kSize> is_certain_, is_impossible_;
 };
 
-void Block::judge(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges) {
+void EdgeBlock::judge(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges) {
   begin(graph, edges);
   for (int n = 0; n < kNeighbours; ++n) {
     step(graph, around_origin_, kAtOrigin + n, edges.size());
@@ -66,7 +66,7 @@ void Block::judge(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges)
   judge(edges.size());
 }
 
-void Block::begin(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges) {
+void EdgeBlock::begin(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges) {
   const TriangleMesh& mesh = graph.mesh;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const HalfEdgeId h = edges[i], twin = mesh.twin(h);
@@ -86,7 +86,7 @@ void Block::begin(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges)
 /// One step of each, unless its last apex would be met or the boundary is in the way: side by side,
 /// as one step has to wait for the one before. How long they are is a matter of chance: no
 /// branches.
-void Block::step(const DelaunayGraph& graph, Walk& walk, int place, std::size_t size) {
+void EdgeBlock::step(const DelaunayGraph& graph, Walk& walk, int place, std::size_t size) {
   const TriangleMesh& mesh = graph.mesh;
   for (std::size_t i = 0; i < size; ++i) {
     const HalfEdgeId back = walk.back[i], twin = mesh.twin(back);
@@ -98,7 +98,7 @@ void Block::step(const DelaunayGraph& graph, Walk& walk, int place, std::size_t 
   }
 }
 
-void Block::judge(std::size_t size) {
+void EdgeBlock::judge(std::size_t size) {
   run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
     for (std::size_t i = 0; i < size; ++i) {
       exact::AllPositive all;
@@ -122,15 +122,15 @@ void Block::judge(std::size_t size) {
 
 void FlipCircles::hold_one_each(std::span<const HalfEdgeId> edges, bool* answers) {
   const TriangleMesh& mesh = graph_.mesh;
-  Block block;
-  for (std::size_t begin = 0; begin < edges.size(); begin += Block::kSize) {
-    const auto part = edges.subspan(begin, std::min(Block::kSize, edges.size() - begin));
+  EdgeBlock block;
+  for (std::size_t begin = 0; begin < edges.size(); begin += EdgeBlock::kSize) {
+    const auto part = edges.subspan(begin, std::min(EdgeBlock::kSize, edges.size() - begin));
     block.judge(graph_, part);
     for (std::size_t i = 0; i < part.size(); ++i) {
-      const Block::Verdict verdict = block.verdict(i);
-      answers[begin + i] = verdict == Block::kUnknown
+      const EdgeBlock::Verdict verdict = block.verdict(i);
+      answers[begin + i] = verdict == EdgeBlock::kUnknown
                                ? holds_one(part[i]) && holds_one(mesh.twin(part[i]))
-                               : verdict == Block::kYes;
+                               : verdict == EdgeBlock::kYes;
     }
   }
 }

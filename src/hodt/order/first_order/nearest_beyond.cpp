@@ -11,7 +11,7 @@ namespace hodt {
 namespace {
 
 /// Triangles side by side, with the apexes across their edges.
-class Block {
+class TriangleBlock {
  public:
   /// No power of two: the columns would compete for the same places of the cache.
   static constexpr std::size_t kSize = 124;
@@ -36,7 +36,7 @@ class Block {
   std::array<double, kSize> bits_;
 };
 
-void Block::gather(const DelaunayGraph& graph, std::size_t first, std::size_t size) {
+void TriangleBlock::gather(const DelaunayGraph& graph, std::size_t first, std::size_t size) {
   const TriangleMesh& mesh = graph.mesh;
   // The triangles come from memory one after another, their neighbours from somewhere near.
   constexpr std::size_t kAhead = 64;
@@ -66,7 +66,7 @@ void Block::gather(const DelaunayGraph& graph, std::size_t first, std::size_t si
 /// Of the edge s y with the apexes v and u: the circle of what the flip makes at s holds y, and
 /// beyond_vy is to be outside; likewise beyond_sv at y.
 template <int e>
-HODT_INLINE bool Block::is_ruled_out(std::size_t i) const {
+HODT_INLINE bool TriangleBlock::is_ruled_out(std::size_t i) const {
   constexpr int e1 = (e + 1) % 3, e2 = (e + 2) % 3;
   const Point s = at(e, i), y = at(e1, i), v = at(e2, i), u = at(3 + e, i);
   const exact::CircleFilter around_y(u, v, s), around_s(v, u, y);
@@ -78,7 +78,7 @@ HODT_INLINE bool Block::is_ruled_out(std::size_t i) const {
   return all.is_impossible();
 }
 
-void Block::judge(std::size_t size, std::uint8_t* ruled_out) {
+void TriangleBlock::judge(std::size_t size, std::uint8_t* ruled_out) {
   run_in_lanes([&]<Index>() HODT_INLINE_LAMBDA {
     // As numbers like those that they come from, else the loop does not become vector code.
     for (std::size_t i = 0; i < size; ++i)
@@ -93,9 +93,9 @@ void Block::judge(std::size_t size, std::uint8_t* ruled_out) {
 void NearestBeyond::judge(std::size_t first, std::size_t count) {
   first_ = first;
   count_ = count;
-  Block block;
-  for (std::size_t t = 0; t < count; t += Block::kSize)
-    block.judge(graph_, first + t, std::min(Block::kSize, count - t), &ruled_out_[t]);
+  TriangleBlock block;
+  for (std::size_t t = 0; t < count; t += TriangleBlock::kSize)
+    block.judge(graph_, first + t, std::min(TriangleBlock::kSize, count - t), &ruled_out_[t]);
 }
 
 }  // namespace hodt

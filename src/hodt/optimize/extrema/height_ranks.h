@@ -10,7 +10,7 @@
 namespace hodt {
 
 /// Whether at least one triangle has 0, 1 or 2 corners lower than this one of its corners.
-struct Ranks {
+struct HeightRanks {
   std::uint8_t with_lower[3] = {0, 0, 0};
 
   bool is_extremum(Extremum kind) const { return !with_lower[1] && !two_in_a_triangle(kind); }
@@ -22,6 +22,6 @@ struct Ranks {
 
 /// The ranks of all vertices: one pass over the triangles, which is much faster than a walk around
 /// every vertex.
-Buffer<Ranks> ranks_of(const TriangleMesh& mesh, const Heights& heights);
+Buffer<HeightRanks> height_ranks_of(const TriangleMesh& mesh, const Heights& heights);
 
 }  // namespace hodt

@@ -1,4 +1,4 @@
-#include "hodt/optimize/extrema/ranks.h"
+#include "hodt/optimize/extrema/height_ranks.h"
 
 #include <atomic>
 
@@ -6,8 +6,8 @@
 
 namespace hodt {
 
-Buffer<Ranks> ranks_of(const TriangleMesh& mesh, const Heights& heights) {
-  Buffer<Ranks> ranks(mesh.vertex_count(), Ranks{});
+Buffer<HeightRanks> height_ranks_of(const TriangleMesh& mesh, const Heights& heights) {
+  Buffer<HeightRanks> ranks(mesh.vertex_count(), HeightRanks{});
   // Threads may meet at a vertex, but all they ever write is 1.
   const auto set = [&](VertexId v, unsigned lower) {
     std::atomic_ref<std::uint8_t>(ranks[v].with_lower[lower]).store(1, std::memory_order_relaxed);

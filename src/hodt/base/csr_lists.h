@@ -1,4 +1,4 @@
-// Lists of numbers, one after another in one array.
+// CsrLists of numbers, one after another in one array.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace hodt {
 
-class Lists {
+class CsrLists {
  public:
-  Lists() = default;
+  CsrLists() = default;
   /// `count` lists from pairs (list, item): each ascending, without repetitions. Throws TimeIsUp if
   /// the deadline passes.
-  Lists(std::size_t count, const std::vector<std::pair<Index, Index>>& pairs,
-        const Deadline& deadline = {})
+  CsrLists(std::size_t count, const std::vector<std::pair<Index, Index>>& pairs,
+           const Deadline& deadline = {})
       : first_(count + 1, 0), items_(pairs.size()) {
     for (const auto& [list, item] : pairs) ++first_[list + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];

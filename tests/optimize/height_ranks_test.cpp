@@ -1,4 +1,4 @@
-#include "hodt/optimize/extrema/ranks.h"
+#include "hodt/optimize/extrema/height_ranks.h"
 
 #include "solution_check.h"
 #include <gtest/gtest.h>
@@ -16,12 +16,12 @@ Terrain terraces(std::size_t n) {
   return Terrain(points);
 }
 
-TEST(Ranks, are_those_of_a_look_at_every_triangle) {
+TEST(HeightRanks, are_those_of_a_look_at_every_triangle) {
   const Terrain terrain = terraces(40000);
   const Heights heights{terrain.graph.xy, terrain.z()};
   for (const std::size_t threads : {1, 2}) {
     const ThreadLimit limit(threads);
-    const Buffer<Ranks> ranks = ranks_of(terrain.graph.mesh, heights);
+    const Buffer<HeightRanks> ranks = height_ranks_of(terrain.graph.mesh, heights);
     for (Index v = 0; v < ranks.size(); ++v) {
       bool expected[3] = {false, false, false};
       for_each_outgoing(terrain.graph.mesh, terrain.graph.outgoing[v], [&](HalfEdgeId h) {

@@ -1,4 +1,5 @@
 // How values combine into an objective's value, and which of two is better.
+// Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +11,9 @@
 
 namespace hodt {
 
-class Combination {
+class Aggregator {
  public:
-  explicit Combination(const Objective& objective) : objective_(objective) {}
+  explicit Aggregator(const Objective& objective) : objective_(objective) {}
 
   /// The sum, the larger or the smaller one.
   double combine(double x, double y) const {
@@ -29,7 +30,7 @@ class Combination {
   /// Of many values.
   double combine(std::span<const double> values) const {
     // Four at a time, as each has to wait for the one before.
-    double a = neutral(), b = a, c = a, d = a;
+    double a = identity(), b = a, c = a, d = a;
     std::size_t i = 0;
     for (; i + 4 <= values.size(); i += 4) {
       a = combine(a, values[i]);
@@ -41,7 +42,7 @@ class Combination {
     return combine(combine(a, b), combine(c, d));
   }
   /// What combining with changes nothing.
-  double neutral() const {
+  double identity() const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return objective_.aggregate == Aggregate::sum   ? 0
            : objective_.aggregate == Aggregate::max ? -kInfinity
@@ -82,38 +83,38 @@ class Combination {
 /// What many values combine to; of sums, without rounding.
 class Total {
  public:
-  explicit Total(const Combination& combination)
-      : combination_(combination), extreme_(combination.neutral()) {}
+  explicit Total(const Aggregator& aggregator)
+      : aggregator_(aggregator), extreme_(aggregator.identity()) {}
 
   void add(double value) {
-    if (combination_.is_sum())
+    if (aggregator_.is_sum())
       sum_.add(value);
     else
-      extreme_ = combination_.combine(extreme_, value);
+      extreme_ = aggregator_.combine(extreme_, value);
   }
   void add(std::span<const double> values) {
-    if (combination_.is_sum())
+    if (aggregator_.is_sum())
       sum_.add(values);
     else
-      extreme_ = combination_.combine(extreme_, combination_.combine(values));
+      extreme_ = aggregator_.combine(extreme_, aggregator_.combine(values));
   }
   void add(const Total& other) {
     sum_.add(other.sum_);
-    extreme_ = combination_.combine(extreme_, other.extreme_);
+    extreme_ = aggregator_.combine(extreme_, other.extreme_);
   }
 
   /// Rounded to the nearest double: better totals have better values, or equal ones.
-  double value() const { return combination_.is_sum() ? sum_.nearest() : extreme_; }
+  double value() const { return aggregator_.is_sum() ? sum_.nearest() : extreme_; }
   /// Rounded so that no total like this is better.
   double bound() const {
-    if (!combination_.is_sum()) return extreme_;
-    return combination_.sign() > 0 ? sum_.down() : sum_.up();
+    if (!aggregator_.is_sum()) return extreme_;
+    return aggregator_.sign() > 0 ? sum_.down() : sum_.up();
   }
   /// Only of sums.
   ExactSum& sum() { return sum_; }
 
  private:
-  Combination combination_;
+  Aggregator aggregator_;
   ExactSum sum_;
   double extreme_;
 };
