@@ -84,10 +84,11 @@ void work(const hodt::Delaunay& delaunay, std::string_view task, const Limits& l
     return hodt::for_each_triangle(graph, hodt::TriangleClass::valid, k,
                                    hodt::own_numbering(graph.xy.size()), [](const auto&) {});
   }
-  graph.list_neighbours_if_hubs();
+  const hodt::Deadline deadline(limits.time_limit);
+  graph.list_neighbours_if_hubs(deadline);
   const hodt::Optimum optimum =
       hodt::optimize(graph, delaunay.vertices.z, hodt::objective_from_name(std::string(task)),
-                     {.order = k, .time_limit = limits.time_limit});
+                     {.order = k, .deadline = deadline});
   hodt::order_histogram(graph, optimum.change);
 }
 

@@ -103,12 +103,13 @@ void verify_mesh(std::span<const Point> points, const MeshChange& change) {
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
 void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
                          const TriangulateOptions& options, Report& report) {
+  const Deadline deadline(options.time_limit);
   DelaunayGraph graph(delaunay);
-  if (options.order > 1) graph.list_neighbours_if_hubs();
+  if (options.order > 1) graph.list_neighbours_if_hubs(deadline);
   Optimum optimum = optimize(graph, delaunay.vertices.z, options.objective,
                              {.order = options.order,
                               .method = options.method,
-                              .time_limit = options.time_limit,
+                              .deadline = deadline,
                               .keep = keep,
                               .progress = options.progress});
   if (options.progress) options.progress("verification", -1);

@@ -105,13 +105,14 @@ TEST_P(TimeLimit, ends_in_time_with_a_valid_result_and_bound) {
   const auto [family, name, order] = GetParam();
   const ThreadLimit one(1);
   Terrain terrain = terrain_of(kFamilies[family], 8000);
-  terrain.graph.list_neighbours_if_hubs();
   const Objective objective = objective_from_name(name);
   const double before = processor_seconds();
+  const Deadline deadline(kLimit);
+  terrain.graph.list_neighbours_if_hubs(deadline);
   Optimum optimum;
   try {
     optimum =
-        optimize(terrain.graph, terrain.z(), objective, {.order = order, .time_limit = kLimit});
+        optimize(terrain.graph, terrain.z(), objective, {.order = order, .deadline = deadline});
   } catch (const InputError&) {  // a circumradius is out of a double's range
     EXPECT_EQ(kFamilies[family].make, stretched);
     EXPECT_EQ(name_of(objective), "max-sum-circumradius");

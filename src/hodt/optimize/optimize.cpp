@@ -37,7 +37,7 @@ Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objectiv
   check_method(options.method, objective);
   // More than n - 3 points are never inside a circle.
   const Index order = std::min(options.order, static_cast<Index>(graph.xy.size() - 3));
-  const Deadline deadline(options.time_limit);
+  const Deadline& deadline = options.deadline;
   if (objective == Objective::none) return {{}, {.optimal = true}};
   if (objective.kind == Objective::measured)
     return from(optimize_measure({.graph = graph,

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "hodt/base/deadline.h"
 #include "hodt/base/progress.h"
 #include "hodt/mesh/mesh_change.h"
 #include "hodt/optimize/objective.h"
@@ -14,8 +15,9 @@ struct OptimizeOptions {
   /// No circumcircle of the result holds more than so many points; more than n - 3 is unrestricted.
   Index order = 4;
   Method method = Method::automatic;
-  /// Seconds that searching may take; 0: a fixed amount of work, the same on every machine.
-  double time_limit = 0;
+  /// Searching ends soon after, with what it has and a bound that is valid. None: a fixed amount of
+  /// work, the same on every machine.
+  Deadline deadline = {};
   /// For objectives that count minima: vertices that stay local minima if the Delaunay
   /// triangulation has them as such. One flag each, or none at all.
   std::span<const bool> keep = {};

@@ -54,7 +54,7 @@ void OutgoingOnDemand::State::make() {
   is_made.store(true, std::memory_order_release);
 }
 
-void DelaunayGraph::list_neighbours() {
+void DelaunayGraph::list_neighbours(const Deadline& deadline) {
   constexpr std::size_t kGrain = 1 << 13;
   const std::size_t n = xy.size();
   NeighbourLists lists{Buffer<Index>(n + 1, 0), {}};
@@ -69,15 +69,15 @@ void DelaunayGraph::list_neighbours() {
       hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { *next++ = w; });
   });
   lists_ = std::move(lists);
-  if (largest > kHubDegree) route_around_hubs();
+  if (largest > kHubDegree) route_around_hubs(deadline);
 }
 
-void DelaunayGraph::list_neighbours_if_hubs() {
+void DelaunayGraph::list_neighbours_if_hubs(const Deadline& deadline) {
   const Buffer<Index> degrees = degrees_of(mesh);
-  if (*std::max_element(degrees.begin(), degrees.end()) > kHubDegree) list_neighbours();
+  if (*std::max_element(degrees.begin(), degrees.end()) > kHubDegree) list_neighbours(deadline);
 }
 
-void DelaunayGraph::route_around_hubs() {
+void DelaunayGraph::route_around_hubs(const Deadline& deadline) {
   const std::size_t n = xy.size();
   Buffer<bool> hub(n);
   for (Index v = 0; v < n; ++v) hub[v] = lists_.size(VertexId(v)) > kHubDegree;
@@ -91,7 +91,8 @@ void DelaunayGraph::route_around_hubs() {
     std::vector<Index> degree(n, 0);
     for (const auto& [a, b] : edges) ++degree[a];
     more = false;
-    for (Index v = 0; v < n && round < kMostRounds; ++v)
+    if (round == kMostRounds || deadline.passed()) break;
+    for (Index v = 0; v < n; ++v)
       if (degree[v] > kHubDegree) more = hub[v] = true;
   }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "hodt/base/deadline.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/geometry/circle.h"
 #include "hodt/mesh/triangle_mesh.h"
@@ -50,9 +51,10 @@ class DelaunayGraph {
 
   /// Stores every vertex's neighbours side by side, 28 bytes a point: worth it before questions
   /// about most of the vertices. Finds hubs. Changes no answer.
-  void list_neighbours();
+  /// The deadline ends what is done about hubs early: questions near them can take longer then.
+  void list_neighbours(const Deadline& deadline = {});
   /// Does so if some vertex has very many neighbours. For questions about a few of the vertices.
-  void list_neighbours_if_hubs();
+  void list_neighbours_if_hubs(const Deadline& deadline = {});
 
   const Point& point(VertexId v) const { return xy[v]; }
 
@@ -130,7 +132,7 @@ class DelaunayGraph {
       for (Index i = first[v]; i < end; ++i) f(list[i]);
     }
   };
-  void route_around_hubs();
+  void route_around_hubs(const Deadline& deadline);
 
   /// Random points never have so many neighbours; a search through a vertex that has costs its
   /// degree each time.
