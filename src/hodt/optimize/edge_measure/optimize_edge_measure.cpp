@@ -28,8 +28,14 @@ class Optimizer {
   MeasuredSolution run() && {
     // A single triangle has no inner edge.
     if (delaunay_.triangle_count() == 1) return measured(values_, {}, 0, 0, 0);
-    MeasuredSolution first_order = choose_diagonals();
-    return problem_.order > 1 ? improve(first_order) : std::move(first_order);
+    try {
+      MeasuredSolution first_order = choose_diagonals();
+      return problem_.order > 1 ? improve(first_order) : std::move(first_order);
+    } catch (const TimeIsUp&) {  // it was up before the choice began
+      const double value = values_.of(delaunay_);
+      return measured(values_, {}, value, value,
+                      trivial_bound(problem_.objective, graph_.xy, delaunay_));
+    }
   }
 
  private:
@@ -224,9 +230,12 @@ void Optimizer::add_diagonals(Choices& choices) const {
 }
 
 MeasuredSolution Optimizer::choose_diagonals() {
+  problem_.deadline.check();
   find_quadrilaterals();
+  problem_.deadline.check();
   Choices choices(values_, static_cast<Index>(quadrilaterals_.size() - 1));
   const Total constant = add_costs(choices);
+  problem_.deadline.check();
   const Choices::Result best = choices.best(problem_.deadline);
   std::vector<HalfEdgeId> flips;
   for (Index q = 1; q < quadrilaterals_.size(); ++q)
