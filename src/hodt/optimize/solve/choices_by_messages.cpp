@@ -19,10 +19,10 @@ namespace {
 /// it has among the pairs that lead on. The bound never falls.
 class Messages {
  public:
-  Messages(const ChoiceGraph& graph, std::span<const Index> part);
+  Messages(const ChoiceGraph& graph, std::span<const Index> part, const Deadline& deadline);
 
-  /// Passes until no more is gained, and the best choices on the way.
-  PartChoices run(const Deadline& deadline);
+  /// Passes until no more is gained or the deadline, and the best choices on the way.
+  PartChoices run();
 
  private:
   struct Pair {
@@ -57,14 +57,15 @@ class Messages {
   void improve(std::vector<bool>& chosen) const;
   double change(Index place, const std::vector<bool>& chosen) const;
 
+  const Deadline deadline_;
   double sign_;
   std::vector<Node> nodes_;
   std::vector<Pair> pairs_;
   std::vector<Index> pairs_of_;
 };
 
-Messages::Messages(const ChoiceGraph& graph, std::span<const Index> part)
-    : sign_(graph.aggregator().sign()) {
+Messages::Messages(const ChoiceGraph& graph, std::span<const Index> part, const Deadline& deadline)
+    : deadline_(deadline), sign_(graph.aggregator().sign()) {
   std::vector<std::vector<Index>> earlier(part.size()), later(part.size());
   for (Index i = 0; i < part.size(); ++i)
     for (const ChoiceGraph::Link& link : graph.links(part[i])) {
@@ -112,6 +113,7 @@ void Messages::pass(bool forward) {
   const auto count = static_cast<Index>(nodes_.size());
   for (Index n = 0; n < count; ++n) {
     const Index i = forward ? n : count - 1 - n;
+    if (n % 1024 == 0 && deadline_.passed()) return;  // the bound holds between any two choices
     const Node& node = nodes_[i];
     SingleCosts own = now(i);
     for (std::size_t p = node.first; p < node.last; ++p) take_back(pairs_[pairs_of_[p]], i, own);
@@ -203,7 +205,7 @@ double Messages::change(Index place, const std::vector<bool>& chosen) const {
 }
 
 void Messages::improve(std::vector<bool>& chosen) const {
-  for (bool changed = true; changed;) {
+  for (bool changed = true; changed && !deadline_.passed();) {
     changed = false;
     for (Index i = 0; i < nodes_.size(); ++i) {
       // What rounding can have made of nothing is no gain.
@@ -215,7 +217,7 @@ void Messages::improve(std::vector<bool>& chosen) const {
   }
 }
 
-PartChoices Messages::run(const Deadline& deadline) {
+PartChoices Messages::run() {
   constexpr int kMostPasses = 2000;
   std::vector<bool> best(nodes_.size(), false);
   improve(best);
@@ -224,7 +226,7 @@ PartChoices Messages::run(const Deadline& deadline) {
   for (int n = 1; n <= kMostPasses && !is_met; ++n) {
     pass(true);
     pass(false);
-    const bool is_over = deadline.passed();
+    const bool is_over = deadline_.passed();
     if (n % 10 != 0 && !is_over) continue;
     std::vector<bool> chosen = rounded();
     improve(chosen);
@@ -238,7 +240,7 @@ PartChoices Messages::run(const Deadline& deadline) {
     if (is_over || best_bound - before <= 1e-3 * (best_value - best_bound)) break;
   }
   PartChoices result{std::move(best), sign_ * std::min(best_bound, best_value), is_met};
-  if (is_met) return result;
+  if (is_met || deadline_.passed()) return result;
   const double gap = best_value - bound();
   for (Index i = 0; i < nodes_.size(); ++i)
     result.settled.push_back(is_settled(i, result.chosen[i], gap));
@@ -249,7 +251,7 @@ PartChoices Messages::run(const Deadline& deadline) {
 
 PartChoices choose_by_messages(const ChoiceGraph& graph, std::span<const Index> part,
                                const Deadline& deadline) {
-  return Messages(graph, part).run(deadline);
+  return Messages(graph, part, deadline).run();
 }
 
 }  // namespace hodt
