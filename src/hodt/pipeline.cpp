@@ -12,11 +12,10 @@
 #include "hodt/base/parallel.h"
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
-#include "hodt/mesh/validate.h"
 #include "hodt/optimize/optimize.h"
+#include "hodt/order/change_problem.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
-#include "hodt/order/validate.h"
 
 namespace hodt {
 
@@ -91,12 +90,11 @@ ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
                          "; this is a defect of hodt, please report it with the input and options");
 }
 
-/// A mesh in place of the Delaunay triangulation is trusted no more than one from a file. (Flips
-/// are told one by one, each in its quadrilateral, and leave the mesh one.)
-void verify_mesh(std::span<const Point> points, const MeshChange& change) {
+/// A mesh in place of the Delaunay triangulation is not trusted. (Flips are told one by one, each
+/// in its quadrilateral, and cannot spoil it.)
+void verify_mesh(const DelaunayGraph& graph, const MeshChange& change) {
   if (change.mesh() == nullptr) return;
-  std::string problem = connectivity_problem(*change.mesh(), Surface::disk);
-  if (problem.empty()) problem = embedding_problem(points, *change.mesh());
+  const std::string problem = change_problem(graph, *change.mesh());
   if (!problem.empty()) throw_defect("the result is no triangulation of the points: " + problem);
 }
 
@@ -113,7 +111,7 @@ void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
                               .keep = keep,
                               .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
-  verify_mesh(graph.xy, optimum.change);
+  verify_mesh(graph, optimum.change);
   report.order_histogram = order_histogram(graph, optimum.change);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)

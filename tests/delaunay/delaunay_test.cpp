@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "../support/connectivity_problem.h"
 #include "../support/convert.h"
 #include "../support/shapes.h"
+#include "../support/triangulation_problems.h"
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
-#include "hodt/mesh/validate.h"
-#include "hodt/order/validate.h"
 
 namespace hodt {
 namespace {

@@ -3,12 +3,12 @@
 #include <utility>
 #include <vector>
 
+#include "../support/connectivity_problem.h"
 #include "../support/convert.h"
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 
 #include "hodt/delaunay/delaunay.h"
-#include "hodt/mesh/validate.h"
 
 namespace hodt {
 namespace {

@@ -4,11 +4,10 @@
 #include <set>
 #include <vector>
 
+#include "../support/connectivity_problem.h"
 #include "../support/convert.h"
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
-
-#include "hodt/mesh/validate.h"
 
 namespace hodt {
 namespace {

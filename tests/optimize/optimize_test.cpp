@@ -5,11 +5,11 @@
 
 #include "../support/convert.h"
 #include "../support/shapes.h"
+#include "../support/triangulation_problems.h"
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"
 #include "hodt/order/triangulation_order.h"
-#include "hodt/order/validate.h"
 #include "hodt/pipeline.h"
 
 namespace hodt {

@@ -8,14 +8,14 @@
 #include <string>
 #include <tuple>
 
+#include "../support/connectivity_problem.h"
 #include "../support/convert.h"
 #include "../support/shapes.h"
+#include "../support/triangulation_problems.h"
 
-#include "hodt/mesh/validate.h"
 #include "hodt/optimize/extrema/extrema_solution.h"
 #include "hodt/optimize/objective.h"
 #include "hodt/order/delaunay_graph.h"
-#include "hodt/order/validate.h"
 
 namespace hodt {
 

@@ -27,11 +27,14 @@ inline double combine_outward(const Aggregator& aggregator, double x, double y) 
   const double combined = aggregator.combine(x, y);
   if (!aggregator.is_sum()) return combined;
   const double lost = lost_in_sum(x, y, combined), sign = aggregator.sign();
-  if (!(sign * lost < 0)) return combined;
-  // The next double, without a call where sums mostly are.
-  if (combined > std::numeric_limits<double>::min() && combined < 1e300)
-    return std::bit_cast<double>(std::bit_cast<std::int64_t>(combined) - (sign > 0 ? 1 : -1));
-  return outward(combined, sign);
+  const bool is_inward = sign * lost < 0;
+  // The next double, without a call where sums mostly are, nor a branch on what is a matter of
+  // chance.
+  if (combined > std::numeric_limits<double>::min() && combined < 1e300) {
+    const std::int64_t step = sign > 0 ? 1 : -1;
+    return std::bit_cast<double>(std::bit_cast<std::int64_t>(combined) - step * is_inward);
+  }
+  return is_inward ? outward(combined, sign) : combined;
 }
 
 /// No exact value is better than this if one within so much of it is the best.

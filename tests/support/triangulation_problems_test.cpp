@@ -1,16 +1,16 @@
-#include "hodt/order/validate.h"
+#include "triangulation_problems.h"
 
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "../support/convert.h"
-#include "../support/shapes.h"
+#include "connectivity_problem.h"
+#include "convert.h"
+#include "shapes.h"
 #include <gtest/gtest.h>
 
 #include "hodt/geometry/predicates.h"
-#include "hodt/mesh/validate.h"
 
 namespace hodt {
 namespace {

@@ -1,8 +1,8 @@
 // Whether a mesh is the triangulation that it should be, layer by layer: an embedding, of order k,
-// Delaunay. For the pipeline, which looks at what it made, and tests.
+// Delaunay.
 //
 // Each function returns what is wrong, naming a triangle, vertex or half-edge; empty if nothing is.
-// Each requires of the mesh that connectivity_problem (mesh/validate.h) finds nothing.
+// Each requires of the mesh that connectivity_problem (connectivity_problem.h) finds nothing.
 #pragma once
 
 #include <span>

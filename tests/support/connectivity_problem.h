@@ -1,5 +1,4 @@
-// Whether a mesh is what its two arrays promise. For the pipeline, which looks at what it made,
-// tests and fuzzers: everything is looked at, nothing is assumed.
+// Whether a mesh is what its two arrays promise: everything is looked at, nothing is assumed.
 #pragma once
 
 #include <cstdint>

@@ -1,12 +1,12 @@
-#include "hodt/mesh/validate.h"
+#include "connectivity_problem.h"
 
 #include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "../support/convert.h"
-#include "../support/shapes.h"
+#include "convert.h"
+#include "shapes.h"
 #include <gtest/gtest.h>
 
 namespace hodt {

@@ -1,4 +1,4 @@
-#include "hodt/order/validate.h"
+#include "triangulation_problems.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "hodt/mesh/validate.h"
+#include "connectivity_problem.h"
 
 #include <algorithm>
 #include <vector>
