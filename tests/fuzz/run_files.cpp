@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   for (const fs::path& file : files) {
     std::fprintf(stderr, "%s\n", file.filename().c_str());  // the last one named is the culprit
     std::ifstream stream(file, std::ios::binary);
+    if (!stream) return 1;  // no such file: nothing was tested
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   }
