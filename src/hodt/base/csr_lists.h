@@ -1,4 +1,4 @@
-// CsrLists of numbers, one after another in one array.
+// Lists of numbers, one after another in one array.
 #pragma once
 
 #include <algorithm>

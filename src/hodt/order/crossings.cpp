@@ -1,8 +1,6 @@
 #include "hodt/order/crossings.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,33 +12,33 @@ namespace hodt {
 
 namespace {
 
-/// Calls f for the triangles at u that are beside the edge uv; returns whether there are any, or
-/// nothing if u has more than `most` triangles.
-template <class F>
-std::optional<bool> for_each_beside_at(const DelaunayGraph& graph, VertexId u, VertexId v,
-                                       Index most, const F& f) {
+/// A side of a triangle that is the Delaunay edge uv, from either end, if there is one. Asks the
+/// end that is no hub.
+HalfEdgeId find_edge(const DelaunayGraph& graph, VertexId u, VertexId v) {
   const TriangleMesh& mesh = graph.mesh;
-  std::array<TriangleId, 2> found;
-  std::size_t count = 0;
-  const HalfEdgeId start = graph.outgoing[u];
-  HalfEdgeId h = start;
-  do {
-    if (most-- == 0) return std::nullopt;
-    if (mesh.target(h) == v || mesh.apex(h) == v) found[count++] = TriangleMesh::triangle(h);
-    h = mesh.rotate_ccw(h);
-  } while (h.valid() && h != start);
-  for (std::size_t i = 0; i < count; ++i) f(found[i]);
-  return count > 0;
+  const auto find_at = [&](VertexId from, VertexId to, Index most) {
+    FoundOutgoing found = find_outgoing(mesh, graph.outgoing[from], most, [&](HalfEdgeId h) {
+      return mesh.target(h) == to || mesh.apex(h) == to;
+    });
+    const HalfEdgeId h = found.halfedge;
+    if (h.valid() && mesh.target(h) != to) found.halfedge = TriangleMesh::prev(h);
+    return found;
+  };
+  if (const FoundOutgoing found = find_at(u, v, kFewTriangles); found.is_known)
+    return found.halfedge;
+  if (const FoundOutgoing found = find_at(v, u, kFewTriangles); found.is_known)
+    return found.halfedge;
+  return find_at(u, v, kNone).halfedge;
 }
 
-/// Calls f for the triangles on both sides of the Delaunay edge uv; false if there is none. Asks
-/// the end that is no hub.
+/// Calls f for the triangles on both sides of the Delaunay edge uv; false if there is none.
 template <class F>
 bool for_each_beside(const DelaunayGraph& graph, const PlainEdge& edge, const F& f) {
-  constexpr Index kMany = 128;
-  if (const auto known = for_each_beside_at(graph, edge.u, edge.v, kMany, f)) return *known;
-  if (const auto known = for_each_beside_at(graph, edge.v, edge.u, kMany, f)) return *known;
-  return *for_each_beside_at(graph, edge.u, edge.v, kNone, f);
+  const HalfEdgeId side = find_edge(graph, edge.u, edge.v);
+  if (!side.valid()) return false;
+  for (const HalfEdgeId h : {side, graph.mesh.twin(side)})
+    if (h.valid()) f(TriangleMesh::triangle(h));
+  return true;
 }
 
 /// Calls f for the triangles that the edge passes through, or that it is a side of. Two edges that

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "hodt/geometry/predicates.h"
-#include "hodt/mesh/triangle_mesh.h"
+#include "hodt/mesh/find_outgoing.h"
 
 namespace hodt {
 
@@ -18,13 +18,11 @@ inline HalfEdgeId first_crossed(const TriangleMesh& mesh, std::span<const Point>
                                 HalfEdgeId outgoing, VertexId from, VertexId to,
                                 Index most = kNone) {
   const Point &a = xy[from], &b = xy[to];
-  HalfEdgeId h = outgoing;
-  do {
-    if (orient(a, xy[mesh.target(h)], b) > 0 && orient(a, b, xy[mesh.apex(h)]) > 0)
-      return TriangleMesh::next(h);
-    h = mesh.rotate_ccw(h);
-  } while (h.valid() && h != outgoing && --most > 0);
-  return {};
+  const HalfEdgeId h =
+      find_outgoing(mesh, outgoing, most, [&](HalfEdgeId g) {
+        return orient(a, xy[mesh.target(g)], b) > 0 && orient(a, b, xy[mesh.apex(g)]) > 0;
+      }).halfedge;
+  return h.valid() ? TriangleMesh::next(h) : h;
 }
 
 /// The edge through which the segment leaves the triangle beyond a crossed edge; kNone at the end.
@@ -43,10 +41,9 @@ inline HalfEdgeId next_crossed(const TriangleMesh& mesh, std::span<const Point> 
 template <class Outgoing, class F>
 void for_each_crossed(const TriangleMesh& mesh, std::span<const Point> xy, const Outgoing& outgoing,
                       VertexId from, VertexId to, const F& f) {
-  constexpr Index kMany = 128;
-  HalfEdgeId h = first_crossed(mesh, xy, outgoing[from], from, to, kMany);
+  HalfEdgeId h = first_crossed(mesh, xy, outgoing[from], from, to, kFewTriangles);
   if (!h.valid()) {
-    h = first_crossed(mesh, xy, outgoing[to], to, from, kMany);
+    h = first_crossed(mesh, xy, outgoing[to], to, from, kFewTriangles);
     if (h.valid())
       std::swap(from, to);
     else

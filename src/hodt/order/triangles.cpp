@@ -68,7 +68,7 @@ struct UsefulLists {
   }
 };
 
-/// CsrLists by a vertex's place among the numbers; each list sorted.
+/// Lists by a vertex's place among the numbers; each list sorted.
 UsefulLists useful_lists(const DelaunayGraph& graph, Index k, const Numbering& numbering,
                          const std::vector<Index>& place_of_number, const Deadline& deadline) {
   std::vector<EdgeRecord> edges;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <vector>
 
 #include "hodt/mesh/degrees.h"
@@ -28,9 +27,10 @@ Index largest(const Buffer<Index>& degrees) {
 
 /// Somebody has at least the average.
 Index average_degree(const TriangleMesh& mesh) {
-  const Buffer<Index> degrees = degrees_of(mesh);
-  const std::size_t ends = std::accumulate(degrees.begin(), degrees.end(), std::size_t{0});
-  return static_cast<Index>((ends + degrees.size() - 1) / degrees.size());
+  // Each half-edge has one end of its own; on the boundary it has the other one, too.
+  const auto boundary = std::count(mesh.twins().begin(), mesh.twins().end(), kNone);
+  const std::size_t ends = mesh.halfedge_count() + static_cast<std::size_t>(boundary);
+  return static_cast<Index>((ends + mesh.vertex_count() - 1) / mesh.vertex_count());
 }
 
 /// Finds the flips to the best triangulation of order 1; returns a proven lower bound.

@@ -5,13 +5,13 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "hodt/base/parallel.h"
+#include "hodt/mesh/find_outgoing.h"
 #include "hodt/mesh/replace_triangles.h"
 #include "hodt/optimize/triangle_measure/edge_side.h"
 #include "hodt/optimize/triangle_measure/faces.h"
@@ -114,7 +114,6 @@ class Bound {
   double best_pair() const;
   double solve(Aggregate aggregate, std::vector<FaceSolution>& solutions);
   bool is_delaunay(const Corners& t) const;
-  std::optional<bool> is_delaunay(VertexId a, VertexId b, VertexId c, Index most) const;
   void take(const std::vector<FaceSolution>& solutions, TriangleMesh& mesh);
 
   const DelaunayGraph& graph_;
@@ -316,24 +315,18 @@ double Bound::best_pair() const {
   return std::isfinite(best) ? sign_ * best : 0;
 }
 
+/// Asks the corner that is no hub.
 bool Bound::is_delaunay(const Corners& t) const {
-  constexpr Index kFew = 128;  // hubs are corners of very many triangles
+  const auto find_at = [&](Index i, Index most) {
+    const VertexId b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+    return find_outgoing(graph_.mesh, graph_.outgoing[t[i]], most, [&](HalfEdgeId h) {
+      return graph_.mesh.target(h) == b && graph_.mesh.apex(h) == c;
+    });
+  };
   for (Index i = 0; i < 3; ++i)
-    if (const auto known = is_delaunay(t[i], t[(i + 1) % 3], t[(i + 2) % 3], kFew)) return *known;
-  return *is_delaunay(t[0], t[1], t[2], kNone);
-}
-
-/// Nothing if a has more than `most` triangles, and that is not among the first.
-std::optional<bool> Bound::is_delaunay(VertexId a, VertexId b, VertexId c, Index most) const {
-  const TriangleMesh& mesh = graph_.mesh;
-  const HalfEdgeId start = graph_.outgoing[a];
-  HalfEdgeId h = start;
-  do {
-    if (most-- == 0) return std::nullopt;
-    if (mesh.target(h) == b && mesh.apex(h) == c) return true;
-    h = mesh.rotate_ccw(h);
-  } while (h.valid() && h != start);
-  return false;
+    if (const FoundOutgoing found = find_at(i, kFewTriangles); found.is_known)
+      return found.halfedge.valid();
+  return find_at(0, kNone).halfedge.valid();
 }
 
 /// The least that the triangles' values can sum up to, or their largest can be.

@@ -4,6 +4,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/mesh/find_outgoing.h"
 #include "hodt/optimize/rounded_sum.h"
 #include "hodt/order/triangles.h"
 
@@ -54,9 +55,9 @@ Faces::Faces(const DelaunayGraph& graph, Index order, const Deadline& deadline)
 /// That of the Delaunay triangle which the triangle begins in, at one corner: the first at which
 /// few triangles have to be looked at for it. Hubs are corners of very many triangles.
 Index Faces::face_of(const Corners& t) const {
-  constexpr Index kFew = 128;
   for (Index corner = 0; corner < 3; ++corner)
-    if (const TriangleId place = beginning_at(t[corner], t[(corner + 1) % 3], kFew); place.valid())
+    if (const TriangleId place = beginning_at(t[corner], t[(corner + 1) % 3], kFewTriangles);
+        place.valid())
       return faces_.face_of(place);
   return faces_.face_of(beginning_at(t[0], t[1], kNone));
 }
@@ -66,15 +67,11 @@ Index Faces::face_of(const Corners& t) const {
 TriangleId Faces::beginning_at(VertexId v, VertexId w, Index most) const {
   const TriangleMesh& mesh = graph_.mesh;
   const Point &a = graph_.point(v), &b = graph_.point(w);
-  const HalfEdgeId start = graph_.outgoing[v];
-  HalfEdgeId h = start;
-  do {
-    if (orient(a, graph_.point(mesh.target(h)), b) >= 0 &&
-        orient(a, b, graph_.point(mesh.apex(h))) > 0)
-      return TriangleMesh::triangle(h);
-    h = mesh.rotate_ccw(h);
-  } while (h.valid() && h != start && --most > 0);
-  return {};
+  const HalfEdgeId h = find_outgoing(mesh, graph_.outgoing[v], most, [&](HalfEdgeId g) {
+                         return orient(a, graph_.point(mesh.target(g)), b) >= 0 &&
+                                orient(a, b, graph_.point(mesh.apex(g))) > 0;
+                       }).halfedge;
+  return h.valid() ? TriangleMesh::triangle(h) : TriangleId();
 }
 
 FaceSolution Faces::solve(Index face, const Aggregator& aggregator, double value,
