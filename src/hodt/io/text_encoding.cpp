@@ -70,8 +70,8 @@ void decode(InputText& input) {
   constexpr std::string_view utf32 = std::string_view("\xFF\xFE\0\0", 4);
   if (text.starts_with("\xEF\xBB\xBF")) return drop_front(input, 3);
   if (text.starts_with(utf32)) return;  // refused as binary
-  if (text.starts_with("\xFF\xFE")) decode_utf16(input, true);
-  if (text.starts_with("\xFE\xFF")) decode_utf16(input, false);
+  if (text.starts_with("\xFF\xFE")) return decode_utf16(input, true);
+  if (text.starts_with("\xFE\xFF")) return decode_utf16(input, false);
 }
 
 void mend_line_ends(InputText& input) {
