@@ -34,7 +34,8 @@ std::vector<bool> vertices_on_outline(const TriangleMesh& mesh) {
 /// Whether a triangle with the largest or smallest value, whichever the objective asks for, has a
 /// corner on the outline.
 bool is_decided_on_outline(const Objective& objective, const Delaunay& delaunay) {
-  const auto& [vertices, mesh] = delaunay;
+  const VertexSet& vertices = delaunay.vertices;
+  const TriangleMesh& mesh = delaunay.mesh;
   if (is_of_edges(objective)) return false;
   const TriangleValues values(objective, vertices.xy, vertices.z);
   const std::vector<bool> at_outline = vertices_on_outline(mesh);

@@ -60,7 +60,8 @@ struct PairedMesh {
 
 /// Convex quadrilaterals that share no triangle: their diagonals flip back and forth at will.
 std::vector<HalfEdgeId> flippable_edges() {
-  const auto& [vertices, mesh] = triangulation();
+  const VertexSet& vertices = triangulation().vertices;
+  const TriangleMesh& mesh = triangulation().mesh;
   std::vector<HalfEdgeId> edges;
   std::vector<bool> used(mesh.triangle_count(), false);
   for (Index i = 0; i < mesh.halfedge_count(); ++i) {

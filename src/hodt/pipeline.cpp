@@ -129,7 +129,8 @@ Prepared prepare(const PointSet& points, const TriangulateOptions& options) {
   Stopwatch watch;
   if (options.progress) options.progress("Delaunay triangulation", -1);
   Prepared prepared{delaunay(points), {}, {}};
-  const auto& [vertices, mesh] = prepared.delaunay;
+  const VertexSet& vertices = prepared.delaunay.vertices;
+  const TriangleMesh& mesh = prepared.delaunay.mesh;
   Report& report = prepared.report;
   report.seconds.delaunay = watch.lap();
   report.points = points.size();

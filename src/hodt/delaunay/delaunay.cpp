@@ -19,7 +19,7 @@ Delaunay delaunay(const PointSet& points) {
     throw InputError(fmt::format(
         "all {} distinct points lie on one line, so there is no triangle; add a point off the line",
         order.vertices.size()));
-  return {std::move(order.vertices), std::move(mesh)};
+  return {std::move(order.vertices), std::move(mesh), {}};
 }
 
 TriangleMesh in_input_numbering(TriangleMesh mesh, const VertexSet& vertices,

@@ -11,6 +11,9 @@ struct Delaunay {
   VertexSet vertices;
   /// On the numbering of `vertices`. Every triangle is counter-clockwise.
   TriangleMesh mesh;
+  /// Of every half-edge whether it is a wall: an edge that has to be there and that nothing reaches
+  /// across (see order/constrained/constrained_delaunay.h). Empty if there are none.
+  Buffer<bool> walls = {};
 };
 
 /// Triangulates the distinct points. O(n log n); the same bytes on any number of threads.

@@ -46,7 +46,9 @@ class Checker {
     };
     const std::vector<std::string> problems =
         parallel_collect<std::string>(0, changed.size(), 1 << 12, find_problem);
-    return problems.empty() ? boundary_problem(changed) : problems.front();
+    if (!problems.empty()) return problems.front();
+    const std::string problem = boundary_problem(changed);
+    return problem.empty() ? wall_problem(changed) : problem;
   }
 
  private:
@@ -88,6 +90,25 @@ class Checker {
   std::string boundary_problem(const std::vector<TriangleId>& changed) const {
     if (boundary_of(mesh_, changed) == boundary_of(delaunay_, changed)) return "";
     return "the boundary is another one";
+  }
+
+  /// Walls are there if they are sides of the triangles in place of those that they were sides of.
+  std::string wall_problem(const std::vector<TriangleId>& changed) const {
+    if (!graph_.has_walls()) return "";
+    std::vector<Edge> sides;
+    for (const TriangleId t : changed)
+      for (Index i = 3 * t; i < 3 * t + 3; ++i)
+        if (const HalfEdgeId h(i); graph_.is_wall(mesh_.origin(h), mesh_.target(h)))
+          sides.emplace_back(mesh_.origin(h), mesh_.target(h));
+    std::sort(sides.begin(), sides.end());
+    for (const TriangleId t : changed)
+      for (Index i = 3 * t; i < 3 * t + 3; ++i) {
+        const HalfEdgeId h(i);
+        const Edge side(delaunay_.origin(h), delaunay_.target(h));
+        if (graph_.walls[h] && !std::binary_search(sides.begin(), sides.end(), side))
+          return fmt::format("the wall from vertex {} to {} is missing", side.first, side.second);
+      }
+    return "";
   }
 
   static std::vector<Edge> boundary_of(const TriangleMesh& mesh,

@@ -8,6 +8,7 @@ namespace {
 constexpr std::size_t kMany = 256;
 
 /// Whether the circle holds the origin of `start` only, if that is known from so many neighbours.
+template <bool kWalls>
 std::optional<bool> holds_only_by(std::size_t most, const DelaunayGraph& graph,
                                   const std::array<VertexId, 3>& corners, HalfEdgeId start) {
   const TriangleMesh& mesh = graph.mesh;
@@ -18,19 +19,22 @@ std::optional<bool> holds_only_by(std::size_t most, const DelaunayGraph& graph,
     return w != a && w != b && w != c && circle.contains(graph.point(w));
   };
   if (!is_inside(mesh.origin(start))) return false;
+  const auto ends_at = [&](HalfEdgeId g) {
+    return mesh.is_boundary(g) || (kWalls && graph.walls[g]);
+  };
   std::size_t asked = 0;
   HalfEdgeId h = start;
   do {
     if (++asked > most) return std::nullopt;
     if (is_inside(mesh.target(h))) return false;
-    const HalfEdgeId following = mesh.rotate_ccw(h);
-    if (!following.valid()) break;
-    h = following;
+    if (ends_at(TriangleMesh::prev(h))) break;
+    h = mesh.rotate_ccw(h);
   } while (h != start);
-  if (!mesh.is_boundary(TriangleMesh::prev(h))) return true;
-  // The boundary was in the way: the other way around from the start.
+  if (!ends_at(TriangleMesh::prev(h))) return true;
+  // The boundary or a wall was in the way: the other way around from the start.
   if (is_inside(mesh.apex(h))) return false;
-  for (h = mesh.rotate_cw(start); h.valid(); h = mesh.rotate_cw(h)) {
+  for (h = start; !ends_at(h);) {
+    h = mesh.rotate_cw(h);
     if (++asked > most) return std::nullopt;
     if (is_inside(mesh.target(h))) return false;
   }
@@ -41,11 +45,14 @@ std::optional<bool> holds_only_by(std::size_t most, const DelaunayGraph& graph,
 
 bool holds_origin_only(const DelaunayGraph& graph, const std::array<VertexId, 3>& corners,
                        HalfEdgeId h) {
-  return *holds_only_by(graph.xy.size(), graph, corners, h);
+  const std::size_t all = graph.xy.size();
+  return graph.has_walls() ? *holds_only_by<true>(all, graph, corners, h)
+                           : *holds_only_by<false>(all, graph, corners, h);
 }
 
 Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
                            VertexId perhaps_inside) {
+  if (reachable_) return reachable_->count(a, b, c, limit);
   inside_.clear();
   seen_.begin_round();
   // The three are on the circle: to ask would send each to exact arithmetic, for a known answer.
@@ -69,7 +76,9 @@ Index CircleCounter::count(VertexId a, VertexId b, VertexId c, Index limit,
 }
 
 bool SoleInside::holds_origin_only(const std::array<VertexId, 3>& corners, HalfEdgeId h) {
-  if (const std::optional<bool> known = holds_only_by(kMany, graph_, corners, h)) return *known;
+  if (graph_.has_walls()) return hodt::holds_origin_only(graph_, corners, h);
+  if (const std::optional<bool> known = holds_only_by<false>(kMany, graph_, corners, h))
+    return *known;
   const auto [a, b, c] = corners;
   CircleCounter& counter = past_hubs();
   return counter.count(a, b, c, 1) == 1 && counter.inside().front() == graph_.mesh.origin(h);

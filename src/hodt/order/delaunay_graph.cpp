@@ -8,6 +8,7 @@
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/mesh/degrees.h"
+#include "hodt/mesh/find_outgoing.h"
 
 namespace hodt {
 
@@ -54,6 +55,38 @@ void OutgoingOnDemand::State::make() {
   is_made.store(true, std::memory_order_release);
 }
 
+void DelaunayGraph::find_wall_ends() {
+  wall_ends_ = Buffer<std::uint8_t>(xy.size(), 0);
+  const auto count = [&](VertexId v) {
+    wall_ends_[v] = static_cast<std::uint8_t>(std::min(wall_ends_[v] + 1, 2));
+  };
+  for (Index i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfEdgeId h(i);
+    if (mesh.is_boundary(h))
+      count(mesh.origin(h));  // the other end is the origin of the next one
+    else if (walls[h] && h < mesh.twin(h))
+      for (const VertexId end : {mesh.origin(h), mesh.target(h)}) count(end);
+  }
+}
+
+/// Asks the end with few neighbours.
+bool DelaunayGraph::is_wall_at(VertexId a, VertexId b) const {
+  const auto find_at = [&](VertexId from, VertexId to, Index most) {
+    bool is_wall = false;
+    const FoundOutgoing found = find_outgoing(mesh, outgoing[from], most, [&](HalfEdgeId h) {
+      const HalfEdgeId last = TriangleMesh::prev(h);
+      if (mesh.target(h) == to) return is_wall = walls[h], true;
+      if (mesh.is_boundary(last) && mesh.origin(last) == to) return is_wall = walls[last], true;
+      return false;
+    });
+    return std::pair(found.is_known, is_wall);
+  };
+  for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
+    if (const auto [is_known, is_wall] = find_at(from, to, kFewTriangles); is_known)
+      return is_wall;
+  return find_at(a, b, kNone).second;
+}
+
 void DelaunayGraph::list_neighbours(const Deadline& deadline) {
   constexpr std::size_t kGrain = 1 << 13;
   const std::size_t n = xy.size();
@@ -69,7 +102,8 @@ void DelaunayGraph::list_neighbours(const Deadline& deadline) {
       hodt::for_each_neighbour(mesh, outgoing[v], [&](VertexId w) { *next++ = w; });
   });
   lists_ = std::move(lists);
-  if (largest > kHubDegree) route_around_hubs(deadline);
+  // What goes around hubs would go through walls.
+  if (largest > kHubDegree && !has_walls()) route_around_hubs(deadline);
 }
 
 void DelaunayGraph::list_neighbours_if_hubs(const Deadline& deadline) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -43,11 +44,28 @@ class OutgoingOnDemand {
   std::shared_ptr<State> state_;
 };
 
-/// A view: the Delaunay triangulation must outlive it and stay as it is.
+/// A view: the Delaunay triangulation must outlive it and stay as it is. If that has walls, it is a
+/// constrained one, and every order is the constrained order: nothing is reached across a wall
+/// (docs/definitions.md).
 class DelaunayGraph {
  public:
   explicit DelaunayGraph(const Delaunay& delaunay)
-      : xy(delaunay.vertices.xy), mesh(delaunay.mesh), outgoing(delaunay.mesh) {}
+      : xy(delaunay.vertices.xy),
+        mesh(delaunay.mesh),
+        walls(delaunay.walls),
+        outgoing(delaunay.mesh) {
+    if (has_walls()) find_wall_ends();
+  }
+
+  bool has_walls() const { return !walls.empty(); }
+  bool is_wall(HalfEdgeId h) const { return has_walls() && walls[h]; }
+  /// The same of an edge of any triangulation, by its ends.
+  bool is_wall(VertexId a, VertexId b) const {
+    return has_walls() && wall_ends_[a] > 0 && wall_ends_[b] > 0 && is_wall_at(a, b);
+  }
+  /// Whether walls part the triangles around v: if so, what is reached at v need not be all of
+  /// them.
+  bool is_parted(VertexId v) const { return has_walls() && wall_ends_[v] > 1; }
 
   /// Stores every vertex's neighbours side by side, 28 bytes a point: worth it before questions
   /// about most of the vertices. Finds hubs. Changes no answer.
@@ -116,6 +134,7 @@ class DelaunayGraph {
 
   const std::span<const Point> xy;
   const TriangleMesh& mesh;
+  const std::span<const bool> walls;  ///< of every half-edge; empty if there are none
   const OutgoingOnDemand outgoing;
 
  private:
@@ -133,6 +152,8 @@ class DelaunayGraph {
     }
   };
   void route_around_hubs(const Deadline& deadline);
+  void find_wall_ends();
+  bool is_wall_at(VertexId a, VertexId b) const;
 
   /// Random points never have so many neighbours; a search through a vertex that has costs its
   /// degree each time.
@@ -144,6 +165,8 @@ class DelaunayGraph {
   NeighbourLists
       lists_;  // of neighbours, and kUsualDegree more vertices; empty before list_neighbours()
   Buffer<bool> hub_;       // empty if there are none
+  // Of every vertex how many walls end there, the boundary counted as one: 2 stands for more.
+  Buffer<std::uint8_t> wall_ends_;
   NeighbourLists onward_;  // empty likewise; a hub's list is empty
 };
 

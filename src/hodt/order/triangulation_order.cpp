@@ -51,7 +51,7 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
       // A flip's triangle has the corner in its circle that its place had before, and mostly that
       // is all.
       const HalfEdgeId lost = from_lost_corner(graph.mesh, changed[i], corners);
-      if (lost.valid() && sole.holds_origin_only(corners, lost)) {
+      if (lost.valid() && !graph.has_walls() && sole.holds_origin_only(corners, lost)) {
         orders[i] = 1;
         continue;
       }

@@ -11,6 +11,7 @@
 
 #include "hodt/base/deadline.h"
 #include "hodt/base/parallel.h"
+#include "hodt/order/constrained/wall_walk.h"
 #include "hodt/order/first_order/first_order.h"
 #include "hodt/order/search/count_past_hubs.h"
 #include "hodt/order/search/large_order_search.h"
@@ -91,6 +92,7 @@ class UsefulEdgeSearch {
     found_.clear();
     complete_ = true;
     if (limit == 0) return;
+    if (graph_.has_walls() && limit > 1) return among_walls(u, limit, wanted, towards);
     switch (search_policy::first_way(limit, towards)) {
       case Way::flips:
         return across_one_edge(u, wanted);
@@ -168,6 +170,14 @@ class UsefulEdgeSearch {
   }
 
   template <class Wanted>
+  void among_walls(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
+    if (!wall_walk_) wall_walk_.emplace(graph_);
+    wall_walk_->end_at(deadline_);
+    wall_walk_->from(u, limit, towards, wanted,
+                     [&](VertexId v, Index order) { found_.push_back({v, order}); });
+  }
+
+  template <class Wanted>
   void by_large_search(VertexId u, Index limit, const Wanted& wanted) {
     large_->from(u, limit, wanted, [&](VertexId v, Index order) { found_.push_back({v, order}); });
   }
@@ -213,6 +223,7 @@ class UsefulEdgeSearch {
   // When they are asked for.
   std::optional<WindowWalk<4>> wide_;
   std::optional<WindowWalk<16>> widest_;
+  std::optional<WallWalk> wall_walk_;
   Neighbourhood around_;
   std::optional<LargeOrderSearch> large_;
   std::optional<CountPastHubs> past_hubs_;  // from the first question on

@@ -73,6 +73,7 @@ class Flipper {
     const Point &a = graph_.point(q.a), &b = graph_.point(q.b);
     const Point &c = graph_.point(q.c), &d = graph_.point(q.d);
     if (orient(a, d, c) <= 0 || orient(b, c, d) <= 0) return false;  // not convex
+    if (graph_.is_wall(q.a, q.b)) return false;
     return better_(mesh_, h, q) && counter_.count(q.a, q.d, q.c, k_) <= k_ &&
            counter_.count(q.b, q.c, q.d, k_) <= k_;
   }

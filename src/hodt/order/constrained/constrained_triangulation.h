@@ -19,7 +19,7 @@ namespace hodt {
 /// triangulation of its hull.
 ///
 /// Each locked edge belongs to one of its ends, its owner, and a vertex owns at most one; or it is
-/// locked for good.
+/// locked for good, as walls are from the start.
 class ConstrainedTriangulation {
  public:
   explicit ConstrainedTriangulation(const DelaunayGraph& delaunay);
@@ -47,7 +47,7 @@ class ConstrainedTriangulation {
   /// The other end of the edge that v owns, or kNone.
   VertexId partner(VertexId v) const { return VertexId(partner_[v]); }
   bool is_locked(VertexId a, VertexId b) const {
-    return partner_[a] == b || partner_[b] == a ||
+    return partner_[a] == b || partner_[b] == a || delaunay_.is_wall(a, b) ||
            (!for_good_.empty() && for_good_.contains(std::minmax<Index>(a, b)));
   }
 

@@ -39,6 +39,7 @@ class Finder {
   void add_edges(TriangleId t) {
     for (Index e = 0; e < 3; ++e) {
       const HalfEdgeId h(TriangleMesh::halfedge(t) + e), twin = graph_.mesh.twin(h);
+      if (graph_.is_wall(h)) continue;
       edges_[size_] = h;
       size_ += std::size_t(h < twin) & std::size_t(twin.valid()) &
                std::size_t(!nearest_.rule_out_from_inside(t, e));
@@ -75,7 +76,7 @@ void Finder::take_flippable() {
 
 bool is_first_order_flippable(const DelaunayGraph& graph, HalfEdgeId h) {
   const TriangleMesh& mesh = graph.mesh;
-  if (mesh.is_boundary(h)) return false;
+  if (mesh.is_boundary(h) || graph.is_wall(h)) return false;
   // The diagonal u v crosses the edge s y; s is to the left of u v, so s, u, y, v go around.
   const HalfEdgeId twin = mesh.twin(h);
   const VertexId s = mesh.origin(h), y = mesh.origin(twin), v = mesh.apex(h), u = mesh.apex(twin);

@@ -41,6 +41,9 @@ class EdgeBlock {
   }
   HODT_INLINE Point at(int place, std::size_t i) const { return {x_[place][i], y_[place][i]}; }
   void begin(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges);
+  template <bool kWalls>
+  void walk_around_ends(const DelaunayGraph& graph, std::size_t size);
+  template <bool kWalls>
   void step(const DelaunayGraph& graph, Walk& walk, int place, std::size_t size);
   void judge(std::size_t size);
 
@@ -53,17 +56,25 @@ class EdgeBlock {
 
 void EdgeBlock::judge(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges) {
   begin(graph, edges);
-  for (int n = 0; n < kNeighbours; ++n) {
-    step(graph, around_origin_, kAtOrigin + n, edges.size());
-    step(graph, around_target_, kAtTarget + n, edges.size());
-  }
+  if (graph.has_walls())
+    walk_around_ends<true>(graph, edges.size());
+  else
+    walk_around_ends<false>(graph, edges.size());
   const auto is_at_end = [&](const Walk& walk, std::size_t i) {
     const HalfEdgeId onward = graph.mesh.twin(walk.back[i]);
-    return onward.valid() && graph.mesh.apex(onward) == walk.last[i];
+    return onward.valid() && !graph.is_wall(onward) && graph.mesh.apex(onward) == walk.last[i];
   };
   for (std::size_t i = 0; i < edges.size(); ++i)
     is_complete_[i] = is_at_end(around_origin_, i) && is_at_end(around_target_, i);
   judge(edges.size());
+}
+
+template <bool kWalls>
+void EdgeBlock::walk_around_ends(const DelaunayGraph& graph, std::size_t size) {
+  for (int n = 0; n < kNeighbours; ++n) {
+    step<kWalls>(graph, around_origin_, kAtOrigin + n, size);
+    step<kWalls>(graph, around_target_, kAtTarget + n, size);
+  }
 }
 
 void EdgeBlock::begin(const DelaunayGraph& graph, std::span<const HalfEdgeId> edges) {
@@ -83,14 +94,16 @@ void EdgeBlock::begin(const DelaunayGraph& graph, std::span<const HalfEdgeId> ed
   }
 }
 
-/// One step of each, unless its last apex would be met or the boundary is in the way: side by side,
+/// One step of each, unless its last apex would be met or the boundary or a wall is in the way: side by side,
 /// as one step has to wait for the one before. How long they are is a matter of chance: no
 /// branches.
+template <bool kWalls>
 void EdgeBlock::step(const DelaunayGraph& graph, Walk& walk, int place, std::size_t size) {
   const TriangleMesh& mesh = graph.mesh;
   for (std::size_t i = 0; i < size; ++i) {
     const HalfEdgeId back = walk.back[i], twin = mesh.twin(back);
-    const HalfEdgeId onward = twin.valid() ? TriangleMesh::prev(twin) : back;
+    const bool is_open = twin.valid() && !(kWalls && graph.walls[back]);
+    const HalfEdgeId onward = is_open ? TriangleMesh::prev(twin) : back;
     const Index is_end = -Index{mesh.origin(onward) == walk.last[i]};
     const HalfEdgeId now((back & is_end) | (onward & ~is_end));
     walk.back[i] = now;

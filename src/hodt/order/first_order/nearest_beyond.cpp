@@ -19,11 +19,15 @@ class TriangleBlock {
   /// Sets the bits of each triangle's edges.
   void judge(const DelaunayGraph& graph, std::size_t first, std::size_t size,
              std::uint8_t* ruled_out) {
-    gather(graph, first, size);
+    if (graph.has_walls())
+      gather<true>(graph, first, size);
+    else
+      gather<false>(graph, first, size);
     judge(size, ruled_out);
   }
 
  private:
+  template <bool kWalls>
   void gather(const DelaunayGraph& graph, std::size_t first, std::size_t size);
   void judge(std::size_t size, std::uint8_t* ruled_out);
   template <int e>
@@ -36,6 +40,7 @@ class TriangleBlock {
   std::array<double, kSize> bits_;
 };
 
+template <bool kWalls>
 void TriangleBlock::gather(const DelaunayGraph& graph, std::size_t first, std::size_t size) {
   const TriangleMesh& mesh = graph.mesh;
   // The triangles come from memory one after another, their neighbours from somewhere near.
@@ -48,8 +53,9 @@ void TriangleBlock::gather(const DelaunayGraph& graph, std::size_t first, std::s
     for (std::size_t e = 0; e < 3; ++e) {
       prefetch(&mesh.origins()[std::min(ahead[e], last)]);
       const HalfEdgeId h(static_cast<Index>(3 * (first + i) + e)), twin = mesh.twin(h);
-      // On the boundary, the apex itself: it is on the circles, and leaves them undecided.
-      const VertexId across = mesh.apex(twin.valid() ? twin : h);
+      // At the boundary or a wall, the apex itself: it is on the circles, and leaves them undecided.
+      const bool is_open = twin.valid() && !(kWalls && graph.walls[h]);
+      const VertexId across = mesh.apex(is_open ? twin : h);
       vertex_[e][i] = mesh.origin(h);
       vertex_[3 + e][i] = across;
       prefetch(&graph.point(across));
