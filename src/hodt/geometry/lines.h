@@ -1,5 +1,5 @@
 // Lines and outlines on a map.
-// Tested by tests/io/places_file_test.cpp.
+// Tested by tests/io/line_file_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // GeoJSON (RFC 7946), as far as it takes to read what lies on a map.
 // Tested by tests/io/places_file_test.cpp.
+// Tested by tests/io/line_file_test.cpp.
 #pragma once
 
 #include <functional>
