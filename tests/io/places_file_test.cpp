@@ -112,5 +112,30 @@ TEST(PlacesFile, refuses_what_it_cannot_use) {
   EXPECT_THROW(read_places("no/such/file.geojson"), FileError);
 }
 
+TEST(PlacesFile, says_which_feature_it_cannot_use) {
+  const auto second = [](const std::string& geometry) {
+    return R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": null},
+               {"type": "Feature", "geometry": )" +
+           geometry + "}]}";
+  };
+  const std::string tail = "; points and polygons are what it can hold";
+  EXPECT_TRUE(refusal_of(second(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})"))
+                  .ends_with("places.geojson, feature 2: it has a LineString" + tail));
+  EXPECT_TRUE(refusal_of(second(R"({"type": "MultiPoint", "coordinates": [[0, 0], [1]]})"))
+                  .ends_with("places.geojson: this is no GeoJSON: a position is of fewer than two "
+                             "numbers in feature 2, position 2" +
+                             tail));
+  // A corner repeated at the end is no other corner. Heights are not looked at.
+  EXPECT_TRUE(
+      refusal_of(second(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 0]]]})"))
+          .ends_with("places.geojson, feature 2, ring 1: a polygon's ring of fewer than three "
+                     "corners; complete or remove it"));
+  EXPECT_EQ(
+      places_of(
+          second(R"({"type": "Polygon", "coordinates": [[[0, 0, 1], [1, 0], [0, 1, null]]]})"))
+          .polygons.size(),
+      1u);
+}
+
 }  // namespace
 }  // namespace hodt

@@ -26,4 +26,10 @@ inline std::string format_extension(const std::filesystem::path& path) {
   return lower_extension(is_packed_name(path) ? path.stem() : path);
 }
 
+/// Whether the name is one of a GeoJSON file.
+inline bool is_geojson_name(const std::filesystem::path& path) {
+  const std::string extension = format_extension(path);
+  return extension == ".geojson" || extension == ".json";
+}
+
 }  // namespace hodt

@@ -20,8 +20,12 @@ std::size_t count_line_feeds(const char* p, const char* end) {
   return count + static_cast<std::size_t>(std::count(p, end, '\n'));
 }
 
+std::string place_of(std::string_view name, std::size_t line) {
+  return fmt::format("{}, line {}", name, line);
+}
+
 std::string place_of(const InputText& input, const char* line) {
-  return fmt::format("{}, line {}", input.name, 1 + count_line_feeds(input.begin(), line));
+  return place_of(input.name, 1 + count_line_feeds(input.begin(), line));
 }
 
 }  // namespace hodt

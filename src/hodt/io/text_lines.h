@@ -47,7 +47,8 @@ inline bool is_skipped(const char* p) {
 
 std::size_t count_line_feeds(const char* p, const char* end);
 
-/// Where a line of the input is, for messages: "points.csv, line 3".
+/// Where a line of a file is, for messages: "points.csv, line 3".
+std::string place_of(std::string_view name, std::size_t line);
 std::string place_of(const InputText& input, const char* line);
 
 }  // namespace hodt

@@ -1,0 +1,25 @@
+// Files of lines and outlines: every format that hodt reads them from comes together here.
+#pragma once
+
+#include <filesystem>
+
+#include "hodt/geometry/lines.h"
+#include "hodt/io/input_text.h"
+
+namespace hodt {
+
+/// Reads the lines of a .geojson or .json file (also with .gz; see docs/lines.md), in its order:
+/// LineStrings, and the rings of polygons, closed; at least one. Every coordinate is finite. Parts
+/// are features. Throws FileError if the file cannot be read, InputError, naming the feature, if it
+/// cannot be used or holds points, ParameterError for any other extension.
+Lines read_lines(const std::filesystem::path& path);
+
+/// Reads the rings of polygons, and of lines that are closed; otherwise the same. An open line is
+/// an error.
+Outline read_outline(const std::filesystem::path& path);
+
+/// The same of GeoJSON in memory.
+Lines parse_lines(const InputText& text);
+Outline parse_outline(const InputText& text);
+
+}  // namespace hodt
