@@ -16,6 +16,7 @@
 #include "hodt/order/change_problem.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
+#include "hodt/pipeline/constrain.h"
 
 namespace hodt {
 
@@ -47,15 +48,19 @@ class OutputNumbering {
     Index next = 0;
     for (Index& number : of_row_)
       if (number != kNone) number = next++;
+    count_ = next;
     parallel_for(0, vertices.size(), 1 << 15, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) of_vertex_[v] = of_row_[vertices.row[v]];
     });
   }
+  /// Of the rows that have a number.
+  std::size_t count() const { return count_; }
   bool is_kept(std::size_t row) const { return of_row_[row] != kNone; }
   Index operator[](VertexId v) const { return of_vertex_[v]; }
 
  private:
   Buffer<Index> of_row_, of_vertex_;
+  std::size_t count_ = 0;
 };
 
 std::vector<std::array<Index, 3>> triangle_list(const TriangleMesh& mesh,
@@ -70,8 +75,8 @@ std::vector<std::array<Index, 3>> triangle_list(const TriangleMesh& mesh,
   return triangles;
 }
 
-PointSet kept_points(const PointSet& points, const OutputNumbering& numbering, std::size_t count) {
-  if (count == points.size()) return points;
+PointSet kept_points(const PointSet& points, const OutputNumbering& numbering) {
+  if (numbering.count() == points.size()) return points;
   PointSet kept;
   for (std::size_t row = 0; row < points.size(); ++row) {
     if (!numbering.is_kept(row)) continue;
@@ -81,8 +86,15 @@ PointSet kept_points(const PointSet& points, const OutputNumbering& numbering, s
   return kept;
 }
 
-ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices) {
-  return count_extrema(vertices.xy, vertices.z, mesh.origins());
+ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices,
+                        const PointSet& points, const Report& report) {
+  if (report.constraints.triangles_outside + report.constraints.triangles_too_long == 0)
+    return count_extrema(vertices.xy, vertices.z, mesh.origins());
+  // Where a domain touches itself, two vertices are the same point.
+  std::vector<Index> rows;
+  rows.reserve(mesh.halfedge_count());
+  for (const Index v : mesh.origins()) rows.push_back(vertices.row[v]);
+  return count_extrema(points.xy, points.z, rows);
 }
 
 [[noreturn]] void throw_defect(const std::string& what) {
@@ -123,7 +135,8 @@ void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
 
 }  // namespace
 
-Prepared prepare(const PointSet& points, const TriangulateOptions& options) {
+Prepared prepare(const PointSet& points, const TriangulateOptions& options,
+                 const Constraints& constraints) {
   if (asks_to_keep(options) && !points.has_heights())
     throw ParameterError("minima to keep need heights, and the points have none; add a z column");
   Stopwatch watch;
@@ -132,14 +145,18 @@ Prepared prepare(const PointSet& points, const TriangulateOptions& options) {
   const VertexSet& vertices = prepared.delaunay.vertices;
   const TriangleMesh& mesh = prepared.delaunay.mesh;
   Report& report = prepared.report;
-  report.seconds.delaunay = watch.lap();
   report.points = points.size();
   report.duplicates = points.size() - vertices.size();
+  if (!constraints.empty()) {
+    if (options.progress) options.progress("constraints", -1);
+    report.constraints = constrain(prepared.delaunay, points, constraints);
+  }
+  report.seconds.delaunay = watch.lap();
   report.triangles = mesh.triangle_count();
   report.order_histogram = {report.triangles};
   if (points.has_heights()) {
     report.duplicate_heights = vertices.duplicate_heights;
-    report.extrema_delaunay = report.extrema_result = extrema_of(mesh, vertices);
+    report.extrema_delaunay = report.extrema_result = extrema_of(mesh, vertices, points, report);
   }
   if (asks_to_keep(options)) {
     watch.lap();
@@ -169,7 +186,7 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   if (options.objective != Objective::none) {
     optimize_and_verify(delaunay, prepared.keep.is_kept, options, report);
     report.seconds.optimize += watch.lap();
-    if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices);
+    if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
   }
   if (options.measure_pits && points.has_heights())
     report.pits = pit_totals(delaunay.mesh, vertices.xy, vertices.z);
@@ -178,14 +195,15 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   const OutputNumbering numbering(vertices, points.size());
   result.tin.triangles = triangle_list(delaunay.mesh, numbering);
   report.seconds.delaunay += watch.lap();
-  result.tin.points = kept_points(points, numbering, vertices.size());
+  result.tin.points = kept_points(points, numbering);
   return result;
 }
 
-TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options) {
+TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options,
+                              const Constraints& constraints) {
   check(points, options);
   check_keeps(options);
-  return triangulate(points, prepare(points, options), options);
+  return triangulate(points, prepare(points, options, constraints), options);
 }
 
 }  // namespace hodt

@@ -10,6 +10,7 @@
 #include "hodt/base/ids.h"
 #include "hodt/base/progress.h"
 #include "hodt/delaunay/delaunay.h"
+#include "hodt/geometry/constraints.h"
 #include "hodt/geometry/places.h"
 #include "hodt/geometry/point_set.h"
 #include "hodt/hydrology/minima_to_keep.h"
@@ -65,6 +66,8 @@ struct Report {
   /// Polygons to keep minima in that no point is in.
   std::size_t empty_polygons = 0;
   std::optional<Value> value;  ///< empty for Objective::none
+  /// What constraints did; nothing without any.
+  ConstraintReport constraints;
   /// Of the Delaunay triangulation and of the result; empty if the input has no heights.
   std::optional<ExtremaCount> extrema_delaunay;
   std::optional<ExtremaCount> extrema_result;
@@ -76,7 +79,7 @@ struct Report {
 
 struct TriangulateResult {
   /// Vertices in input order, dropped duplicates left out: if there are none, vertex i is row i of
-  /// the points.
+  /// the points. Points that constraints leave no triangle are left out, too.
   Tin tin;
   Report report;
 };
@@ -87,7 +90,13 @@ struct TriangulateResult {
 /// double's range, or the places to keep cannot be on the points' map (see check_places.h);
 /// ParameterError if the objective needs heights and the points have none. Fills all of the report
 /// but seconds.read and seconds.write.
-TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options = {});
+///
+/// With constraints the triangulation has their edges, and only the triangles of their domain;
+/// orders are constrained orders (docs/definitions.md): no circle counts what is beyond an edge that
+/// has to be there. Delaunay, here and in the report, then means the constrained Delaunay
+/// triangulation. Throws what constrain() throws, too (see pipeline/constrain.h).
+TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options = {},
+                              const Constraints& constraints = {});
 
 /// What triangulate() begins with, whatever the order and the objective.
 struct Prepared {
@@ -98,7 +107,8 @@ struct Prepared {
 };
 
 /// Looks at options.min_pit_depth, .keep and .progress only. Throws what triangulate() throws.
-Prepared prepare(const PointSet& points, const TriangulateOptions& options = {});
+Prepared prepare(const PointSet& points, const TriangulateOptions& options = {},
+                 const Constraints& constraints = {});
 
 /// The rest of the job, on a Delaunay triangulation of its own: for many orders and objectives,
 /// pass copies. Does not look at options.min_pit_depth and .keep again; objectives that do not

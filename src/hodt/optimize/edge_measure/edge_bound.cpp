@@ -35,6 +35,12 @@ struct Edge {
   std::span<ChargedSide> left, right;
 };
 
+/// Whether doubles hold all that was charged to the triangles.
+bool are_in_range(std::span<const FaceTriangle> triangles) {
+  return std::all_of(triangles.begin(), triangles.end(),
+                     [](const FaceTriangle& t) { return std::isfinite(t.value); });
+}
+
 /// As much less for all triangles of a face, so that none costs less than nothing, and back. (Any
 /// triangulation of it has as many.)
 class Shift {
@@ -239,6 +245,7 @@ EdgeBound Bound::charge_sums(bool is_thorough) {
     if (!charge_all()) break;
     is_bounded = true;
     const double bound = solve(Aggregate::sum, solutions);
+    if (!std::isfinite(bound)) break;  // nor would another round be in range
     TriangleMesh mesh = graph_.mesh;
     take(solutions, mesh);
     if (const double value = sign_ * values_.of(mesh); value < best) {
@@ -342,6 +349,11 @@ double Bound::solve(Aggregate aggregate, std::vector<FaceSolution>& solutions) {
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces_.size(), 1, [&](std::size_t first, std::size_t last) {
     for (auto face = static_cast<Index>(first); face < last; ++face) {
+      if (aggregate == Aggregate::sum && !are_in_range(faces_.triangles(face))) {
+        solutions[face] = {};
+        bounds[face] = -std::numeric_limits<double>::infinity();
+        continue;
+      }
       const Shift shift(faces_.triangles(face), aggregate == Aggregate::sum);
       Total at_hand(least);
       for (const FaceTriangle& t : faces_.triangles(face))
