@@ -403,6 +403,72 @@ TEST(Constrained, without_constraints_all_is_as_ever) {
   });
 }
 
+// ---- Insertion ------------------------------------------------------------------------------
+
+Constrained with_edges(const Constrained& constrained, const std::vector<Edge>& more) {
+  std::vector<Edge> edges = constrained.edges();
+  edges.insert(edges.end(), more.begin(), more.end());
+  return {constrained.instance(), edges};
+}
+
+/// The triangles of a triangulation that the segment crosses.
+Triangles hull_of(const Instance& instance, const Triangles& triangulation, const Edge& e) {
+  Triangles hull;
+  std::ranges::copy_if(triangulation, std::back_inserter(hull), [&](const Triangle& t) {
+    return instance.segments_cross(e[0], e[1], t[0], t[1]) ||
+           instance.segments_cross(e[0], e[1], t[1], t[2]) ||
+           instance.segments_cross(e[0], e[1], t[2], t[0]);
+  });
+  return hull;
+}
+
+std::vector<Edge> useful_edges_by_lemma(const Constrained& constrained) {
+  std::vector<Edge> useful;
+  for (int v = 0; v < constrained.instance().size(); ++v) {
+    for (int u = 0; u < v; ++u) {
+      if (constrained.useful_order_by_lemma(u, v).value_or(0) > 0) useful.push_back({u, v});
+    }
+  }
+  return useful;
+}
+
+TEST(Insertion, changes_the_hull_of_an_edge_only_and_has_its_order) {
+  for_each_point_set(4, 8, 4, [](const Instance& instance, std::uint64_t seed) {
+    const Constrained constrained(instance, random_edges(instance, seed));
+    const Triangles delaunay = constrained.delaunay();
+    for (const Edge& e : useful_edges_by_lemma(constrained)) {
+      const int order = *constrained.useful_order_by_lemma(e[0], e[1]);
+      const Triangles inserted = with_edges(constrained, {e}).delaunay();
+      EXPECT_EQ(constrained.order(inserted), order) << describe(constrained);
+      Triangles gone;
+      std::ranges::set_difference(delaunay, inserted, std::back_inserter(gone));
+      EXPECT_EQ(gone, hull_of(instance, delaunay, e)) << describe(constrained);
+      EXPECT_LE(gone.size(), 2u * order) << describe(constrained);
+    }
+  });
+}
+
+TEST(Insertion, of_two_edges_has_the_larger_order_if_their_hulls_are_disjoint_or_it_is_2) {
+  // Otherwise at most 2k - 2.
+  for_each_point_set(6, 9, 2, [](const Instance& instance, std::uint64_t seed) {
+    const Constrained constrained(instance, random_edges(instance, seed));
+    const Triangles delaunay = constrained.delaunay();
+    const auto useful = useful_edges_by_lemma(constrained);
+    for (const Edge& e : useful) {
+      for (const Edge& f : useful) {
+        if (f <= e || instance.segments_cross(e[0], e[1], f[0], f[1])) continue;
+        const int k = std::max(*constrained.useful_order_by_lemma(e[0], e[1]),
+                               *constrained.useful_order_by_lemma(f[0], f[1]));
+        const Triangles a = hull_of(instance, delaunay, e), b = hull_of(instance, delaunay, f);
+        Triangles common;
+        std::ranges::set_intersection(a, b, std::back_inserter(common));
+        const int together = constrained.order(with_edges(constrained, {e, f}).delaunay());
+        EXPECT_LE(together, common.empty() ? k : std::max(k, 2 * k - 2)) << describe(constrained);
+      }
+    }
+  });
+}
+
 // ---- By hand --------------------------------------------------------------------------------
 
 TEST(Constrained, a_wall_hides_what_is_behind_it) {
