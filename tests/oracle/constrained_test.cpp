@@ -301,11 +301,26 @@ Points with_further_points(const Points& points, families::Random& random) {
   return all;
 }
 
-TEST(Constrained, further_points_change_nothing_that_is_reached) {
+/// Of two instances, the first with the points that the second begins with. Rounding can put a
+/// point that was meant to be in the hull outside it.
+bool have_one_hull(const Instance& coarse, const Instance& fine) {
+  for (int u = 0; u < coarse.size(); ++u) {
+    for (int v = 0; v < coarse.size(); ++v) {
+      if (u == v || !coarse.is_hull_half_edge(u, v)) continue;
+      for (int w = 0; w < fine.size(); ++w) {
+        if (fine.orient(u, v, w) < 0) return false;
+      }
+    }
+  }
+  return true;
+}
+
+TEST(Constrained, further_points_in_the_hull_change_nothing_that_is_reached) {
   // They give the walk another way, in a finer triangulation.
   for_each_point_set(5, 8, 4, [](const Instance& instance, std::uint64_t seed) {
     families::Random random(seed);
     const Instance finer(with_further_points(instance.points(), random));
+    if (!have_one_hull(instance, finer)) return;
     auto edges = random_edges(instance, seed);
     std::erase_if(edges, [&](const Edge& e) { return !finer.is_segment_free(e[0], e[1]); });
     const Constrained coarse(instance, edges), fine(finer, edges);
@@ -313,7 +328,8 @@ TEST(Constrained, further_points_change_nothing_that_is_reached) {
       if (!fine.is_triangle_possible(t)) continue;
       auto inside = fine.reachable_inside(t);
       std::erase_if(inside, [&](int v) { return v >= instance.size(); });
-      EXPECT_EQ(inside, coarse.reachable_inside(t)) << describe(fine);
+      EXPECT_EQ(inside, coarse.reachable_inside(t))
+          << t[0] << ' ' << t[1] << ' ' << t[2] << ' ' << describe(fine);
     }
   });
 }
