@@ -370,6 +370,11 @@ Triangles Instance::hull_of_edge(int u, int v) const {
 // ---- Heights --------------------------------------------------------------------------------
 
 ExtremaCount Instance::count_extrema(const Triangles& triangles) const {
+  return count_extrema(triangles, on_hull_);
+}
+
+ExtremaCount Instance::count_extrema(const Triangles& triangles,
+                                     const std::vector<bool>& boundary) const {
   if (z_.empty()) throw std::invalid_argument("no heights");
   std::vector<std::set<int>> neighbours(points_.size());
   for (const Triangle& t : triangles) {
@@ -380,21 +385,23 @@ ExtremaCount Instance::count_extrema(const Triangles& triangles) const {
     }
   }
   ExtremaCount count;
-  const auto add = [](SplitCount& to, bool boundary) { ++(boundary ? to.boundary : to.interior); };
+  const auto add = [](SplitCount& to, bool at_boundary) {
+    ++(at_boundary ? to.boundary : to.interior);
+  };
   std::vector<bool> seen(points_.size());
   for (int v = 0; v < size(); ++v) {
     if (neighbours[v].empty()) continue;
     bool has_lower = false, has_higher = false;
     for (const int w : neighbours[v]) (is_lower(w, v) ? has_lower : has_higher) = true;
-    if (!has_lower) add(count.minima, is_on_hull(v));
-    if (!has_higher) add(count.maxima, is_on_hull(v));
+    if (!has_lower) add(count.minima, boundary[v]);
+    if (!has_higher) add(count.maxima, boundary[v]);
     if (seen[v]) continue;
     // The set of equal height that v is in.
     std::vector<int> level{v};
     seen[v] = true;
-    bool drains = false, boundary = false;
+    bool drains = false, touches_boundary = false;
     for (std::size_t i = 0; i < level.size(); ++i) {
-      boundary = boundary || is_on_hull(level[i]);
+      touches_boundary = touches_boundary || boundary[level[i]];
       for (const int w : neighbours[level[i]]) {
         drains = drains || z_[w] < z_[v];
         if (z_[w] == z_[v] && !seen[w]) {
@@ -403,7 +410,7 @@ ExtremaCount Instance::count_extrema(const Triangles& triangles) const {
         }
       }
     }
-    if (!drains) add(count.pits, boundary);
+    if (!drains) add(count.pits, touches_boundary);
   }
   return count;
 }
@@ -465,9 +472,10 @@ class Enumerator {
  public:
   using Visit = std::function<void(const Triangles&, int)>;
 
-  Enumerator(const Instance& instance, int max_order, const Visit& visit)
+  Enumerator(const Instance& instance, const std::vector<OrderedTriangle>& candidates,
+             const Visit& visit)
       : n_(instance.size()),
-        candidates_(instance.empty_triangles(max_order)),
+        candidates_(candidates),
         at_(static_cast<std::size_t>(n_) * n_),
         visit_(visit) {
     if (candidates_.size() > kMaxCandidates) throw std::length_error("too many triangles");
@@ -493,11 +501,10 @@ class Enumerator {
   void prepare(const Instance& instance) {
     compatible_.resize(candidates_.size());
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      const Triangle& t = candidates_[i];
-      orders_.push_back(instance.triangle_order(t[0], t[1], t[2]));
+      const Triangle& t = candidates_[i].triangle;
       for (int e = 0; e < 3; ++e) at_[half_edge(t[e], t[(e + 1) % 3])].push_back(i);
       for (std::size_t j = 0; j < i; ++j) {
-        if (instance.triangles_overlap(t, candidates_[j])) continue;
+        if (instance.triangles_overlap(t, candidates_[j].triangle)) continue;
         compatible_[i].set(j);
         compatible_[j].set(i);
       }
@@ -527,7 +534,7 @@ class Enumerator {
     for (const std::size_t i : at_[tightest(available, open)]) {
       if (!available[i]) continue;
       std::vector<int> still_open = open;
-      const Triangle& t = candidates_[i];
+      const auto& [t, t_order] = candidates_[i];
       for (int e = 0; e < 3; ++e) {
         const int h = half_edge(t[e], t[(e + 1) % 3]);
         const auto found = std::find(still_open.begin(), still_open.end(), h);
@@ -538,25 +545,38 @@ class Enumerator {
         }
       }
       chosen_.push_back(t);
-      extend(available & compatible_[i], still_open, std::max(order, orders_[i]));
+      extend(available & compatible_[i], still_open, std::max(order, t_order));
       chosen_.pop_back();
     }
   }
 
   int n_;
-  Triangles candidates_;
-  std::vector<int> orders_;
+  const std::vector<OrderedTriangle>& candidates_;
   std::vector<Set> compatible_;
   std::vector<std::vector<std::size_t>> at_;  // candidates on the left of a half-edge
   Triangles chosen_;
   const Visit& visit_;
 };
 
+std::vector<OrderedTriangle> with_orders(const Instance& instance, const Triangles& triangles) {
+  std::vector<OrderedTriangle> with;
+  for (const Triangle& t : triangles) {
+    with.push_back({t, instance.triangle_order(t[0], t[1], t[2])});
+  }
+  return with;
+}
+
 }  // namespace
+
+void for_each_triangulation(const Instance& instance, const std::vector<OrderedTriangle>& triangles,
+                            const std::function<void(const Triangles&, int)>& visit) {
+  Enumerator(instance, triangles, visit);
+}
 
 void for_each_triangulation(const Instance& instance, int max_order,
                             const std::function<void(const Triangles&, int)>& visit) {
-  Enumerator(instance, max_order, visit);
+  for_each_triangulation(instance, with_orders(instance, instance.empty_triangles(max_order)),
+                         visit);
 }
 
 std::size_t count_triangulations(const Instance& instance, int max_order) {
@@ -571,20 +591,37 @@ int Optima::at(const std::vector<int>& of, int k) {
   return of[std::min(static_cast<std::size_t>(k), of.size() - 1)];
 }
 
-Catalogue::Catalogue(const Instance& instance, int max_order) : instance_(instance) {
+std::vector<Triangulation> list_triangulations(const Instance& instance,
+                                               const std::vector<OrderedTriangle>& triangles) {
+  std::vector<Triangulation> all;
+  for_each_triangulation(instance, triangles, [&](const Triangles& chosen, int order) {
+    all.push_back({chosen, order});
+    std::sort(all.back().triangles.begin(), all.back().triangles.end());
+  });
+  return all;
+}
+
+Catalogue::Catalogue(const Instance& instance, int max_order)
+    : Catalogue(instance, with_orders(instance, instance.empty_triangles(kUnrestricted)),
+                list_triangulations(instance,
+                                    with_orders(instance, instance.empty_triangles(max_order)))) {}
+
+Catalogue::Catalogue(const Instance& instance, std::vector<OrderedTriangle> triangles,
+                     std::vector<Triangulation> triangulations)
+    : instance_(instance),
+      triangles_(std::move(triangles)),
+      triangulations_(std::move(triangulations)) {
   const std::size_t n = instance.size();
   useful_.assign(n * n, kUnrestricted);
-  for_each_triangulation(instance, max_order, [&](const Triangles& triangles, int order) {
-    triangulations_.push_back({triangles, order});
-    std::sort(triangulations_.back().triangles.begin(), triangulations_.back().triangles.end());
-    for (const Triangle& t : triangles) {
+  for (const auto& [chosen, order] : triangulations_) {
+    for (const Triangle& t : chosen) {
       for (const int a : t) {
         for (const int b : t) {
           if (a != b) useful_[a * n + b] = std::min(useful_[a * n + b], order);
         }
       }
     }
-  });
+  }
 }
 
 std::optional<int> Catalogue::useful_order(int u, int v) const {
@@ -646,14 +683,15 @@ std::vector<Edge> Catalogue::edges_in_all(int k) const {
 }
 
 Triangles Catalogue::valid_triangles(int k) const {
-  Triangles valid = instance_.empty_triangles(k);
-  std::erase_if(valid, [&](const Triangle& t) {
-    for (int i = 0; i < 3; ++i) {
+  Triangles valid;
+  for (const auto& [t, t_order] : triangles_) {
+    bool is_valid = t_order <= k;
+    for (int i = 0; i < 3 && is_valid; ++i) {
       const auto order = useful_order(t[i], t[(i + 1) % 3]);
-      if (!order || *order > k) return true;
+      is_valid = order && *order <= k;
     }
-    return false;
-  });
+    if (is_valid) valid.push_back(t);
+  }
   return valid;
 }
 
@@ -673,8 +711,8 @@ Optima Catalogue::optima(const Instance& heights) const {
         has_higher |= std::uint64_t{1} << low;
       }
     }
-    const int minima = n - std::popcount(has_lower);
-    const int maxima = n - std::popcount(has_higher);
+    const int minima = std::popcount(has_higher & ~has_lower);
+    const int maxima = std::popcount(has_lower & ~has_higher);
     for (std::size_t k = t.order; k < orders; ++k) {
       best.minima[k] = std::min(best.minima[k], minima);
       best.maxima[k] = std::min(best.maxima[k], maxima);

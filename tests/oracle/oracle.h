@@ -69,6 +69,9 @@ class Instance {
   int in_circle_plain(int i, int j, int k, int l) const;
   /// The same under the perturbation: never 0.
   int in_circle(int i, int j, int k, int l) const;
+  /// Coordinates times one common power of two: integers. A scale changes no sign.
+  const mpz_class& x(int i) const { return x_[i]; }
+  const mpz_class& y(int i) const { return y_[i]; }
   /// Twice the signed area of a triangle, in units common to all triangles of this instance.
   const mpz_class& double_area_of_sorted(int i, int j, int k) const;
 
@@ -106,6 +109,8 @@ class Instance {
   /// Heights compared lexicographically as (z, x, y). Requires heights.
   bool is_lower(int u, int v) const { return height_rank_[u] < height_rank_[v]; }
   ExtremaCount count_extrema(const Triangles& triangles) const;
+  /// The same where other vertices than those of the hull are boundary.
+  ExtremaCount count_extrema(const Triangles& triangles, const std::vector<bool>& boundary) const;
 
   /// Rotated (and turned, if need be) to canonical triangles, sorted.
   Triangles canonical(const Triangles& triangles) const;
@@ -135,8 +140,7 @@ class Instance {
 
   Points points_;
   Heights z_;
-  // Coordinates times one common power of two. A scale changes no sign, and integers are faster.
-  std::vector<mpz_class> x_, y_, lift_;
+  std::vector<mpz_class> x_, y_, lift_;  // scaled
   std::vector<std::int8_t> orient_;
   std::vector<mpz_class> double_area_;  // of i < j < k
   std::vector<int> lexicographic_rank_;
@@ -155,10 +159,24 @@ void for_each_triangulation(const Instance& instance, int max_order,
                             const std::function<void(const Triangles&, int)>& visit);
 std::size_t count_triangulations(const Instance& instance, int max_order = kUnrestricted);
 
+struct OrderedTriangle {
+  Triangle triangle;
+  int order = 0;
+};
+
+/// The same for the triangulations that consist of the given triangles, whose orders are what is
+/// said of them. The triangles must be canonical, different and empty.
+void for_each_triangulation(const Instance& instance, const std::vector<OrderedTriangle>& triangles,
+                            const std::function<void(const Triangles&, int)>& visit);
+
 struct Triangulation {
   Triangles triangles;
   int order = 0;
 };
+
+/// Those same triangulations, each with its triangles sorted.
+std::vector<Triangulation> list_triangulations(const Instance& instance,
+                                               const std::vector<OrderedTriangle>& triangles);
 
 /// The least number of local minima, maxima and extrema over all triangulations of order <= k, for
 /// every k.
@@ -185,11 +203,19 @@ class Catalogue {
   std::vector<Edge> edges_in_all(int k) const;
   /// Empty triangles of order <= k with three useful edges.
   Triangles valid_triangles(int k) const;
-  /// With the heights that `heights` has; its points must be those of the catalogue.
+  /// With the heights that `heights` has; its points must be those of the catalogue. A point that
+  /// no triangle uses is no extremum.
   Optima optima(const Instance& heights) const;
+
+ protected:
+  /// Of other triangulations, or with other orders: all triangles that may be used, sorted,
+  /// and all triangulations.
+  Catalogue(const Instance& instance, std::vector<OrderedTriangle> triangles,
+            std::vector<Triangulation> triangulations);
 
  private:
   const Instance& instance_;
+  std::vector<OrderedTriangle> triangles_;
   std::vector<Triangulation> triangulations_;
   std::vector<int> useful_;  // n × n; kUnrestricted where there is none
 };
