@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "app/constraints_input.h"
 #include "app/duplicates_text.h"
 #include "app/keep.h"
 #include "app/mean_angle.h"
@@ -27,6 +28,7 @@ struct Arguments {
   std::string method = "auto";
   std::string time_limit;
   KeepArguments keep;
+  ConstraintArguments constraints;
   std::string threads;
   std::string json;
 };
@@ -55,11 +57,13 @@ Json mean_json(const Report& report) {
           {"bound", to_json(report.value->bound / *count)}};
 }
 
-Json report_json(const Report& report, const Order& k, const TakenColumns& columns) {
+Json report_json(const Report& report, const Order& k, const TakenColumns& columns,
+                 const Json& constraints) {
   return {{"points", report.points},
           {"columns", to_json(columns)},
           {"duplicates", report.duplicates},
           {"duplicate_heights", heights_json(report.duplicate_heights)},
+          {"constraints", constraints},
           {"triangles", report.triangles},
           {"k", to_json(k)},
           {"order", report.order},
@@ -89,10 +93,12 @@ std::string extrema_line(std::string_view name, const Report& report,
                      before.boundary, after.boundary);
 }
 
-std::string summary(const Report& report, const TakenColumns& columns, const Arguments& arguments) {
+std::string summary(const Report& report, const TakenColumns& columns,
+                    const std::string& constraints, const Arguments& arguments) {
   std::string text = fmt::format("{:<13} {}, {}\n", "points", report.points,
                                  dropped_text(report.duplicates, report.duplicate_heights));
   text += fmt::format("{:<13} {}\n", "columns", text_of(columns));
+  text += constraints;
   text += fmt::format("{:<13} {}, of order {} at most (allowed: {})\n", "triangles",
                       report.triangles, report.order, parse_order(arguments.order).digits);
   if (report.value) {
@@ -134,19 +140,28 @@ int run(const Arguments& arguments) {
   check_output_extension(arguments.output);
   check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.keep.places, arguments.output, arguments.json);
+  check_constraints(arguments.constraints, arguments.input.file, arguments.output, arguments.json);
 
   Stopwatch watch;
   TriangulateResult result;
   Outputs outputs;
   TakenColumns columns;
+  std::string constraints_lines;
+  Json constraints;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointTable table = read_input_points(arguments.input);
+    PointTable table = read_input_points(arguments.input);
     columns = table.columns;
+    const Joined joined = read_constraints(arguments.constraints, arguments.input.file,
+                                           std::move(table.points));
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    result = naming(arguments.input.file, [&] { return triangulate(table.points, options); });
+    result = triangulate_joined(arguments.input.file, joined, options);
+    if (arguments.constraints.any()) {
+      constraints_lines = constraints_text(joined.report, result.report.constraints);
+      constraints = constraints_json(joined.report, result.report.constraints);
+    }
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
@@ -156,9 +171,9 @@ int run(const Arguments& arguments) {
     result.report.seconds.write = watch.lap();
     print_warnings(arguments.input.file, table);
   }
-  outputs.write_json(report_json(result.report, parse_order(arguments.order), columns),
+  outputs.write_json(report_json(result.report, parse_order(arguments.order), columns, constraints),
                      arguments.json);
-  outputs.commit(summary(result.report, columns, arguments));
+  outputs.commit(summary(result.report, columns, constraints_lines, arguments));
   return kOk;
 }
 
@@ -189,6 +204,7 @@ void add_triangulate(CLI::App& app, Action& action) {
                   "Seconds that the search may take (default: 0, no limit)")
       ->type_name("S");
   add_keep(command, arguments->keep);
+  add_constraints(command, arguments->constraints);
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
       ->type_name("FILE");
@@ -199,6 +215,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       "Examples:\n"
       "  hodt triangulate terrain.csv -o terrain.ply\n"
       "  hodt triangulate survey.txt --columns x=3,y=2,z=4 -o survey.ply\n"
+      "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o site.ply\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
       "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

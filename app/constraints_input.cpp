@@ -1,0 +1,180 @@
+#include "app/constraints_input.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
+#include "hodt/io/edge_pairs_file.h"
+#include "hodt/io/file_name.h"
+#include "hodt/io/line_file.h"
+#include "hodt/pipeline/constrain.h"
+
+namespace hodt::app {
+
+namespace {
+
+/// Edges between rows of the points, by the file that lists them.
+void add_edge_pairs(const std::string& file, const std::string& input, Joined& joined,
+                    std::size_t rows) {
+  const EdgePairs pairs = read_edge_pairs(file);
+  Constraints& constraints = joined.constraints;
+  std::vector<Joined::Origin> origins;
+  for (std::size_t i = 0; i < pairs.edges.size(); ++i) {
+    for (const Index row : pairs.edges[i])
+      if (row >= rows)
+        throw InputError(fmt::format("{}: there is no row {} in {}, which has {}, counted from 0",
+                                     pairs.place(i), row, display_name(input),
+                                     counted(rows, "row")));
+    // As a line of its own, so that errors can name it.
+    const auto [u, v] = pairs.edges[i];
+    joined.sources.push_back({{}, pairs.source, "line"});
+    joined.sources.back().lines.push_back(
+        {{joined.points.xy[u], joined.points.xy[v]}, {}, static_cast<Index>(pairs.lines[i])});
+    origins.push_back({static_cast<Index>(joined.sources.size() - 1), 0, 0});
+  }
+  // After the other breaklines, before the boundary.
+  joined.origins.insert(joined.origins.begin() + std::ptrdiff_t(constraints.edges.size()),
+                        origins.begin(), origins.end());
+  constraints.edges.insert(constraints.edges.end(), pairs.edges.begin(), pairs.edges.end());
+}
+
+}  // namespace
+
+void add_constraints(CLI::App& command, ConstraintArguments& arguments) {
+  command
+      .add_option("--breaklines", arguments.breaklines,
+                  "Lines (GeoJSON) that no triangle crosses, in the coordinate system of INPUT;\n"
+                  "repeatable. Those without heights take them from the surface")
+      ->type_name("FILE");
+  command
+      .add_option("--outline", arguments.outline,
+                  "Polygons (GeoJSON) that bound the triangulation, with holes")
+      ->type_name("FILE");
+  command
+      .add_option("--max-edge", arguments.max_edge,
+                  "Take away triangles at the boundary with a longer edge there")
+      ->type_name("LENGTH");
+  command
+      .add_option("--keep-edges", arguments.keep_edges,
+                  "Edges that stay: a table of pairs of rows of INPUT, counted from 0 (as\n"
+                  "`hodt edges` writes it), or lines (GeoJSON)")
+      ->type_name("FILE");
+  command.add_flag("--split-crossings", arguments.split_crossings,
+                   "Add a vertex where lines cross, which is an error otherwise");
+  command
+      .add_option("--snap", arguments.snap,
+                  "Move vertices of lines to the nearest point, if it is no further than this")
+      ->type_name("D");
+}
+
+void check_constraints(const ConstraintArguments& arguments, const std::string& input,
+                       const std::string& output, const std::string& json) {
+  parse_non_negative("--max-edge", "a length", arguments.max_edge);
+  parse_non_negative("--snap", "a distance", arguments.snap);
+  std::vector<std::string> files = arguments.breaklines;
+  files.push_back(arguments.outline);
+  files.push_back(arguments.keep_edges);
+  for (const std::string& file : files) {
+    if (input == "-" && file == "-")
+      throw ParameterError("INPUT and a file of constraints cannot both be standard input");
+    check_targets(file, output, json);
+  }
+}
+
+Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
+                        PointSet points) {
+  const bool keeps_lines = !arguments.keep_edges.empty() && is_geojson_name(arguments.keep_edges);
+  std::vector<Lines> lines;
+  for (const std::string& file : arguments.breaklines) lines.push_back(read_lines(file));
+  if (keeps_lines) lines.push_back(read_lines(arguments.keep_edges));
+  std::optional<Outline> outline;
+  if (!arguments.outline.empty()) outline = read_outline(arguments.outline);
+  JoinOptions options{arguments.split_crossings,
+                      parse_non_negative("--snap", "a distance", arguments.snap)};
+  const std::size_t rows = points.size();
+  Joined joined;
+  if (lines.empty() && !outline)
+    joined.points = std::move(points);
+  else
+    joined = join_lines(points, lines, outline, options);
+  if (!arguments.keep_edges.empty() && !keeps_lines)
+    add_edge_pairs(arguments.keep_edges, input, joined, rows);
+  if (!arguments.max_edge.empty())
+    joined.constraints.max_edge =
+        parse_non_negative("--max-edge", "a length", arguments.max_edge);
+  return joined;
+}
+
+TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
+                                     const TriangulateOptions& options) {
+  std::string crossing;
+  const auto run = [&] {
+    try {
+      return triangulate(joined.points, options, joined.constraints);
+    } catch (const CrossingError& error) {
+      crossing = crossing_text(joined, error.crossings().front());
+      if (const std::size_t more = error.crossings().size() - 1; more > 0)
+        crossing += fmt::format("; so do {}", counted(more, "more pair"));
+      throw;
+    }
+  };
+  try {
+    return naming(input, run);
+  } catch (const InputError&) {
+    if (crossing.empty()) throw;
+    throw InputError(crossing +
+                     "; mend them, or add --split-crossings for a vertex at each crossing");
+  }
+}
+
+std::string constraints_text(const JoinReport& joined, const ConstraintReport& report) {
+  std::string text = fmt::format("{:<13} {}, as {} of the triangulation\n", "constraints",
+                                 counted(report.edges, "edge"), counted(report.walls, "edge"));
+  const auto line = [&](std::string_view what) {
+    text += fmt::format("{:<13} {}\n", "", what);
+  };
+  if (joined.added + joined.at_points > 0)
+    line(fmt::format("vertices of lines: {} added, {} at points", joined.added, joined.at_points));
+  if (joined.snapped > 0) line(fmt::format("{} of them moved to a point", joined.snapped));
+  if (joined.soft > 0)
+    line(fmt::format("{} took their heights from the surface", joined.soft));
+  if (joined.heights_replaced > 0)
+    line(fmt::format("{} of points replaced by those of lines, by {} at most",
+                     counted(joined.heights_replaced, "height"), joined.largest_replacement));
+  if (joined.heights_in_conflict > 0)
+    line(fmt::format("{} given twice, by up to {} apart; the first one counts",
+                     counted(joined.heights_in_conflict, "height"), joined.largest_conflict));
+  if (joined.crossings > 0)
+    line(fmt::format("{} added where lines cross; their heights differ by {} at most",
+                     counted(joined.crossings, "vertex", "vertices"),
+                     joined.largest_crossing_difference));
+  const std::size_t left_out = report.triangles_outside + report.triangles_too_long;
+  if (left_out > 0)
+    line(fmt::format("left out: {} outside, {} with too long an edge, {}",
+                     counted(report.triangles_outside, "triangle"), report.triangles_too_long,
+                     counted(report.unused_points, "point")));
+  return text;
+}
+
+Json constraints_json(const JoinReport& joined, const ConstraintReport& report) {
+  return {{"edges", report.edges},
+          {"edges_kept", report.walls},
+          {"vertices_added", joined.added + joined.crossings},
+          {"vertices_at_points", joined.at_points},
+          {"vertices_snapped", joined.snapped},
+          {"vertices_from_surface", joined.soft},
+          {"vertices_at_crossings", joined.crossings},
+          {"largest_difference_at_crossings", joined.largest_crossing_difference},
+          {"heights_replaced", joined.heights_replaced},
+          {"largest_replacement", joined.largest_replacement},
+          {"heights_in_conflict", joined.heights_in_conflict},
+          {"largest_conflict", joined.largest_conflict},
+          {"triangles_outside", report.triangles_outside},
+          {"triangles_too_long", report.triangles_too_long},
+          {"points_left_out", report.unused_points}};
+}
+
+}  // namespace hodt::app

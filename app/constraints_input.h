@@ -1,0 +1,47 @@
+// The options --breaklines, --outline and their like: what a triangulation has to keep to.
+// Tested by tests/app/constraints_test.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/common.h"
+
+#include "hodt/pipeline.h"
+#include "hodt/pipeline/join_lines.h"
+
+namespace hodt::app {
+
+struct ConstraintArguments {
+  std::vector<std::string> breaklines;
+  std::string outline;
+  std::string keep_edges;
+  std::string max_edge;
+  std::string snap;
+  bool split_crossings = false;
+
+  bool any() const {
+    return !breaklines.empty() || !outline.empty() || !keep_edges.empty() || !max_edge.empty();
+  }
+};
+
+void add_constraints(CLI::App& command, ConstraintArguments& arguments);
+
+/// Throws ParameterError for what can be refused before a file is read.
+void check_constraints(const ConstraintArguments& arguments, const std::string& input,
+                       const std::string& output, const std::string& json);
+
+/// Reads the files and joins them with the points, whose file is `input`.
+Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
+                        PointSet points);
+
+/// triangulate(), whose errors name the input, or the lines that cross.
+TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
+                                     const TriangulateOptions& options);
+
+/// The lines of a summary, and the part of a report, that tell of constraints; empty and null if
+/// there are none.
+std::string constraints_text(const JoinReport& joined, const ConstraintReport& report);
+Json constraints_json(const JoinReport& joined, const ConstraintReport& report);
+
+}  // namespace hodt::app

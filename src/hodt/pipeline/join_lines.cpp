@@ -1,0 +1,341 @@
+#include "hodt/pipeline/join_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
+#include "hodt/delaunay/delaunay.h"
+#include "hodt/hydrology/nearest_points.h"
+#include "hodt/pipeline/constrain.h"
+#include "hodt/tin/interpolate.h"
+
+namespace hodt {
+
+namespace {
+
+struct HashOfPoint {
+  std::size_t operator()(const Point& p) const {
+    // -0 is 0.
+    const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0), y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+    const std::uint64_t mixed = (x ^ std::rotl(y, 32)) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(mixed ^ (mixed >> 29));
+  }
+};
+
+/// What stands at a place where a line has a vertex.
+struct Place {
+  Index row = kNone;
+  bool was_point = false;
+  bool has_line_height = false;
+};
+
+Index as_index(std::size_t number) {
+  return static_cast<Index>(number);
+}
+
+void note(std::size_t& count, double& largest, double difference) {
+  if (difference == 0) return;
+  ++count;
+  largest = std::max(largest, std::fabs(difference));
+}
+
+class Joiner {
+ public:
+  Joiner(const PointSet& points, const JoinOptions& options) : options_(options) {
+    joined_.points = points;
+  }
+
+  Joined join(std::span<const Lines> lines, const std::optional<Outline>& outline) &&;
+
+ private:
+  void snap_to_points();
+  void find_points();
+  void take_vertices(bool with_heights);
+  void take_heights_of_surface();
+  void add_edges();
+  void split_crossings();
+  bool split_crossings_once(std::unordered_map<Point, Index, HashOfPoint>& rows);
+  Index vertex_at_crossing(const CrossingEdges& crossing,
+                           std::unordered_map<Point, Index, HashOfPoint>& rows);
+  double height_on(Index edge, const Point& p) const;
+  const Constraints::Edge& edge(Index number) const {
+    const Constraints& c = joined_.constraints;
+    return number < c.edges.size() ? c.edges[number] : c.boundary[number - c.edges.size()];
+  }
+  bool has_heights() const { return joined_.points.has_heights(); }
+  template <class F>
+  void for_each_line(const F& f) const {
+    for (const Lines& source : joined_.sources)
+      for (const Line& line : source.lines) f(source, line);
+  }
+
+  const JoinOptions& options_;
+  bool has_outline_ = false;  // then it is the last source
+  Joined joined_;
+  std::unordered_map<Point, Place, HashOfPoint> places_;
+  std::vector<Index> soft_;  // rows that have no height yet
+};
+
+Joined Joiner::join(std::span<const Lines> lines, const std::optional<Outline>& outline) && {
+  joined_.sources.assign(lines.begin(), lines.end());
+  has_outline_ = outline.has_value();
+  if (outline) joined_.sources.push_back({outline->rings, outline->source, outline->part});
+  if (options_.snap > 0) snap_to_points();
+  find_points();
+  take_vertices(true);
+  take_vertices(false);
+  take_heights_of_surface();
+  add_edges();
+  if (options_.split_crossings) split_crossings();
+  return std::move(joined_);
+}
+
+void Joiner::snap_to_points() {
+  // Near in the plane, near in number: so by the vertices of a triangulation.
+  const Delaunay d = delaunay({joined_.points.xy, {}});
+  std::vector<Point> vertices;
+  for_each_line([&](const Lines&, const Line& line) {
+    vertices.insert(vertices.end(), line.xy.begin(), line.xy.end());
+  });
+  const std::vector<VertexId> nearest = nearest_points(d.vertices.xy, vertices);
+  std::size_t next = 0;
+  for (Lines& source : joined_.sources)
+    for (Line& line : source.lines)
+      for (Point& p : line.xy) {
+        const Point& q = d.vertices.xy[nearest[next++]];
+        if (p == q || std::hypot(p.x - q.x, p.y - q.y) > options_.snap) continue;
+        p = q;
+        ++joined_.report.snapped;
+      }
+}
+
+/// Which places of lines have points.
+void Joiner::find_points() {
+  for_each_line([&](const Lines&, const Line& line) {
+    for (const Point& p : line.xy) places_.try_emplace(p);
+  });
+  if (places_.empty()) return;
+  const std::vector<Point>& xy = joined_.points.xy;
+  for (std::size_t row = 0; row < xy.size(); ++row) {
+    const auto place = places_.find(xy[row]);
+    if (place == places_.end()) continue;
+    // Of points at the same place the lowest is the one that stays.
+    const std::vector<double>& z = joined_.points.z;
+    Place& at = place->second;
+    if (!at.was_point || (has_heights() && z[row] < z[at.row])) at.row = as_index(row);
+    at.was_point = true;
+  }
+}
+
+/// Of lines with heights, or of those without.
+void Joiner::take_vertices(bool with_heights) {
+  PointSet& points = joined_.points;
+  JoinReport& report = joined_.report;
+  for_each_line([&](const Lines&, const Line& line) {
+    if (line.has_heights() != with_heights) return;
+    // A ring's last vertex is its first one.
+    const std::size_t size = line.xy.size() - (line.is_closed() && line.xy.size() > 1 ? 1 : 0);
+    for (std::size_t i = 0; i < size; ++i) {
+      Place& at = places_.at(line.xy[i]);
+      const bool gives_height = with_heights && has_heights();
+      if (at.row == kNone) {
+        at.row = as_index(points.size());
+        points.xy.push_back(line.xy[i]);
+        if (has_heights()) points.z.push_back(gives_height ? line.z[i] : 0);
+        if (has_heights() && !gives_height) soft_.push_back(at.row);
+        ++report.added;
+      } else {
+        report.at_points += at.was_point;
+        if (gives_height && at.has_line_height) {
+          note(report.heights_in_conflict, report.largest_conflict, line.z[i] - points.z[at.row]);
+        } else if (gives_height) {
+          note(report.heights_replaced, report.largest_replacement,
+               line.z[i] - points.z[at.row]);
+          points.z[at.row] = line.z[i];
+        }
+      }
+      at.has_line_height |= gives_height;
+    }
+  });
+  if (!with_heights) return;
+  // All points there get the line's height: which of them stays must make no difference.
+  const std::size_t size = points.z.size();
+  for (std::size_t row = 0; row < size; ++row)
+    if (const auto place = places_.find(points.xy[row]);
+        place != places_.end() && place->second.has_line_height)
+      points.z[row] = points.z[place->second.row];
+}
+
+void Joiner::take_heights_of_surface() {
+  if (soft_.empty()) return;
+  PointSet& points = joined_.points;
+  const std::size_t first = soft_.front();
+  joined_.report.soft = soft_.size();
+  PointSet known;
+  known.xy.assign(points.xy.begin(), points.xy.begin() + std::ptrdiff_t(first));
+  known.z.assign(points.z.begin(), points.z.begin() + std::ptrdiff_t(first));
+  const Delaunay d = delaunay(known);
+  Tin tin;
+  tin.points = std::move(known);
+  const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, tin.points.size());
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.corners(TriangleId(t));
+    tin.triangles.push_back({a, b, c});
+  }
+  const std::vector<double> heights =
+      interpolate(tin, std::span(points.xy).subspan(first));
+  std::copy(heights.begin(), heights.end(), points.z.begin() + std::ptrdiff_t(first));
+  for_each_line([&](const Lines& source, const Line& line) {
+    for (const Point& p : line.xy)
+      if (const Index row = places_.at(p).row; std::isnan(points.z[row]))
+        throw InputError(fmt::format(
+            "{}, {} {}: its vertex at x {}, y {} has no height, and is outside the points, where "
+            "there is none to take; give the line heights, or end it within the points",
+            source.source, source.part, line.part, p.x, p.y));
+  });
+}
+
+void Joiner::add_edges() {
+  for (Index s = 0; s < joined_.sources.size(); ++s) {
+    const bool is_outline = has_outline_ && s + 1 == joined_.sources.size();
+    std::vector<Constraints::Edge>& edges =
+        is_outline ? joined_.constraints.boundary : joined_.constraints.edges;
+    const std::vector<Line>& lines = joined_.sources[s].lines;
+    for (Index l = 0; l < lines.size(); ++l)
+      for (Index i = 0; i + 1 < lines[l].xy.size(); ++i) {
+        edges.push_back({places_.at(lines[l].xy[i]).row, places_.at(lines[l].xy[i + 1]).row});
+        joined_.origins.push_back({s, l, i});
+      }
+  }
+}
+
+// ---- Lines that cross. ----
+
+void Joiner::split_crossings() {
+  // Rounding moves the pieces a little, so that they can cross others: hardly ever, and not for
+  // long.
+  constexpr int kMostRounds = 100;
+  std::unordered_map<Point, Index, HashOfPoint> rows;
+  for (int round = 0; round < kMostRounds; ++round)
+    if (!split_crossings_once(rows)) return;
+  throw InputError(fmt::format(
+      "after {} vertices were added where lines cross, lines still cross: these lines run along "
+      "each other within the rounding of their coordinates; snap them, or leave one out",
+      joined_.report.crossings));
+}
+
+/// The height of the line there.
+double Joiner::height_on(Index number, const Point& p) const {
+  const auto& [a, b] = edge(number);
+  const PointSet& points = joined_.points;
+  const Point &from = points.xy[a], &to = points.xy[b];
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const double part =
+      std::fabs(dx) > std::fabs(dy) ? (p.x - from.x) / dx : (p.y - from.y) / dy;
+  return points.z[a] + std::clamp(part, 0.0, 1.0) * (points.z[b] - points.z[a]);
+}
+
+/// The row of a vertex where two edges cross: a new one, unless a point is at that very place.
+Index Joiner::vertex_at_crossing(const CrossingEdges& crossing,
+                                 std::unordered_map<Point, Index, HashOfPoint>& rows) {
+  PointSet& points = joined_.points;
+  const auto& [a, b] = edge(crossing.first);
+  const auto& [c, d] = edge(crossing.second);
+  const Point p = crossing_place(points.xy[a], points.xy[b], points.xy[c], points.xy[d]);
+  const auto [at, is_new] = rows.try_emplace(p, as_index(points.size()));
+  if (!is_new) return at->second;
+  JoinReport& report = joined_.report;
+  ++report.crossings;
+  if (has_heights()) {
+    const double height = height_on(crossing.first, p), other = height_on(crossing.second, p);
+    report.largest_crossing_difference =
+        std::max(report.largest_crossing_difference, std::fabs(height - other));
+    points.z.push_back(height);
+  }
+  points.xy.push_back(p);
+  return at->second;
+}
+
+bool Joiner::split_crossings_once(std::unordered_map<Point, Index, HashOfPoint>& rows) {
+  Constraints& constraints = joined_.constraints;
+  PointSet& points = joined_.points;
+  Delaunay d = delaunay({points.xy, {}});
+  const Buffer<VertexId> vertex_of = vertices_of_rows(points, d.vertices);
+  const Index breaklines = as_index(constraints.edges.size());
+  const Index count = breaklines + as_index(constraints.boundary.size());
+  std::vector<std::array<VertexId, 2>> ends;
+  for (Index e = 0; e < count; ++e)
+    ends.push_back({vertex_of[edge(e)[0]], vertex_of[edge(e)[1]]});
+  const std::vector<CrossingEdges> crossings = insert_walls(d, ends);
+  if (crossings.empty()) return false;
+  if (rows.empty())
+    for (std::size_t row = 0; row < points.size(); ++row)
+      rows.try_emplace(points.xy[row], as_index(row));
+
+  std::vector<std::vector<Index>> on(count);  // the vertices to come on each edge
+  for (const CrossingEdges& crossing : crossings) {
+    const Index row = vertex_at_crossing(crossing, rows);
+    on[crossing.first].push_back(row);
+    on[crossing.second].push_back(row);
+  }
+  Constraints split;
+  split.max_edge = constraints.max_edge;
+  std::vector<Joined::Origin> origins;
+  for (Index e = 0; e < count; ++e) {
+    const auto [a, b] = edge(e);
+    const Point &from = points.xy[a], &to = points.xy[b];
+    const auto along = [&](Index row) {
+      return (points.xy[row].x - from.x) * (to.x - from.x) +
+             (points.xy[row].y - from.y) * (to.y - from.y);
+    };
+    std::stable_sort(on[e].begin(), on[e].end(),
+                     [&](Index p, Index q) { return along(p) < along(q); });
+    on[e].push_back(b);
+    Index last = a;
+    for (const Index next : on[e]) {
+      (e < breaklines ? split.edges : split.boundary).push_back({last, next});
+      origins.push_back(joined_.origins[e]);
+      last = next;
+    }
+  }
+  constraints = std::move(split);
+  joined_.origins = std::move(origins);
+  return true;
+}
+
+}  // namespace
+
+std::string Joined::place_of(Index edge) const {
+  const auto [s, l, i] = origins[edge];
+  const Lines& source = sources[s];
+  const Point &a = source.lines[l].xy[i], &b = source.lines[l].xy[i + 1];
+  return fmt::format("{}, {} {}, between x {}, y {} and x {}, y {}", source.source, source.part,
+                     source.lines[l].part, a.x, a.y, b.x, b.y);
+}
+
+Joined join_lines(const PointSet& points, std::span<const Lines> lines,
+                  const std::optional<Outline>& outline, const JoinOptions& options) {
+  return Joiner(points, options).join(lines, outline);
+}
+
+std::string crossing_text(const Joined& joined, const CrossingEdges& crossing) {
+  const Constraints& c = joined.constraints;
+  const auto edge = [&](Index e) {
+    return e < c.edges.size() ? c.edges[e] : c.boundary[e - c.edges.size()];
+  };
+  const auto& xy = joined.points.xy;
+  const auto [a, b] = edge(crossing.first);
+  const auto [p, q] = edge(crossing.second);
+  const Point place = crossing_place(xy[a], xy[b], xy[p], xy[q]);
+  return fmt::format("lines cross near x {}, y {}: that of {}, and that of {}", place.x, place.y,
+                     joined.place_of(crossing.first), joined.place_of(crossing.second));
+}
+
+}  // namespace hodt
