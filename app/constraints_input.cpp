@@ -1,7 +1,10 @@
 #include "app/constraints_input.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,29 +19,54 @@ namespace hodt::app {
 
 namespace {
 
+/// Each edge as a line of its own, so that errors can name it; returns where they come from.
+std::vector<Joined::Origin> add_source(std::span<const Constraints::Edge> edges,
+                                       const std::string& name, const std::string& part,
+                                       Joined& joined) {
+  std::vector<Joined::Origin> origins;
+  Lines source{{}, name, part};
+  for (Index i = 0; i < edges.size(); ++i) {
+    const auto& [u, v] = edges[i];
+    source.lines.push_back({{joined.points.xy[u], joined.points.xy[v]}, {}, i + 1});
+    origins.push_back({static_cast<Index>(joined.sources.size()), i, 0});
+  }
+  joined.sources.push_back(std::move(source));
+  return origins;
+}
+
 /// Edges between rows of the points, by the file that lists them.
 void add_edge_pairs(const std::string& file, const std::string& input, Joined& joined,
                     std::size_t rows) {
   const EdgePairs pairs = read_edge_pairs(file);
-  Constraints& constraints = joined.constraints;
-  std::vector<Joined::Origin> origins;
-  for (std::size_t i = 0; i < pairs.edges.size(); ++i) {
+  for (std::size_t i = 0; i < pairs.edges.size(); ++i)
     for (const Index row : pairs.edges[i])
       if (row >= rows)
         throw InputError(fmt::format("{}: there is no row {} in {}, which has {}, counted from 0",
                                      pairs.place(i), row, display_name(input),
                                      counted(rows, "row")));
-    // As a line of its own, so that errors can name it.
-    const auto [u, v] = pairs.edges[i];
-    joined.sources.push_back({{}, pairs.source, "line"});
-    joined.sources.back().lines.push_back(
-        {{joined.points.xy[u], joined.points.xy[v]}, {}, static_cast<Index>(pairs.lines[i])});
-    origins.push_back({static_cast<Index>(joined.sources.size() - 1), 0, 0});
-  }
+  std::vector<Constraints::Edge>& edges = joined.constraints.edges;
   // After the other breaklines, before the boundary.
-  joined.origins.insert(joined.origins.begin() + std::ptrdiff_t(constraints.edges.size()),
-                        origins.begin(), origins.end());
-  constraints.edges.insert(constraints.edges.end(), pairs.edges.begin(), pairs.edges.end());
+  const std::vector<Joined::Origin> origins = add_source(pairs.edges, pairs.source, "edge", joined);
+  joined.origins.insert(joined.origins.begin() + std::ptrdiff_t(edges.size()), origins.begin(),
+                        origins.end());
+  edges.insert(edges.end(), pairs.edges.begin(), pairs.edges.end());
+}
+
+/// Whether the triangles have all of these edges.
+bool has_edges(std::span<const std::array<Index, 3>> triangles,
+               std::span<const Constraints::Edge> edges) {
+  if (edges.empty()) return true;
+  const auto sorted_ends = [](Index u, Index v) {
+    return Constraints::Edge{std::min(u, v), std::max(u, v)};
+  };
+  std::vector<Constraints::Edge> all;
+  for (const auto& [a, b, c] : triangles)
+    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      all.push_back(sorted_ends(u, v));
+  std::sort(all.begin(), all.end());
+  return std::all_of(edges.begin(), edges.end(), [&](const Constraints::Edge& e) {
+    return e[0] == e[1] || std::binary_search(all.begin(), all.end(), sorted_ends(e[0], e[1]));
+  });
 }
 
 }  // namespace
@@ -106,6 +134,20 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
     joined.constraints.max_edge =
         parse_non_negative("--max-edge", "a length", arguments.max_edge);
   return joined;
+}
+
+void add_given(Constraints& given, const std::string& input, Joined& joined) {
+  Constraints& constraints = joined.constraints;
+  if (!constraints.boundary.empty() || !std::isinf(constraints.max_edge))
+    throw ParameterError("the outline of " + display_name(input) +
+                         " stays; leave out --outline and --max-edge");
+  const std::vector<Joined::Origin> origins =
+      add_source(given.boundary, display_name(input), "boundary edge", joined);
+  joined.origins.insert(joined.origins.end(), origins.begin(), origins.end());
+  constraints.boundary = std::move(given.boundary);
+  // With another edge than its own the mesh itself is no triangulation to compare with.
+  if (has_edges(given.triangles, constraints.edges))
+    constraints.triangles = std::move(given.triangles);
 }
 
 TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,

@@ -35,6 +35,10 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
                         PointSet points);
 
+/// Adds what an existing mesh, read from `input`, has to keep to. Throws ParameterError for options
+/// that do not go with a mesh.
+void add_given(Constraints& given, const std::string& input, Joined& joined);
+
 /// triangulate(), whose errors name the input, or the lines that cross.
 TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
                                      const TriangulateOptions& options);

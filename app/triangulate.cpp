@@ -13,7 +13,9 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/io/file_name.h"
 #include "hodt/io/tin_file.h"
+#include "hodt/pipeline/given_tin.h"
 #include "hodt/pipeline.h"
 
 namespace hodt::app {
@@ -33,6 +35,24 @@ struct Arguments {
   std::string json;
 };
 
+/// What INPUT holds: points, or a mesh to improve.
+struct Source {
+  bool is_tin = false;
+  PointTable table;         ///< of a mesh, its points alone
+  Constraints constraints;  ///< of a mesh, by which its outline and its holes stay
+  std::size_t unused_vertices = 0;
+};
+
+Source read_source(const PointsInput& input) {
+  if (!is_mesh_name(input.file)) return {false, read_input_points(input), {}, 0};
+  if (!input.columns.empty())
+    throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
+                         " is a mesh");
+  GivenTin given = naming(input.file, [&] { return given_tin(read_tin(input.file)); });
+  return {true, {std::move(given.points), {}, {}}, std::move(given.constraints),
+          given.unused_vertices};
+}
+
 /// The same count of both triangulations, as JSON.
 Json extrema_json(const Report& report, SplitCount ExtremaCount::*count) {
   if (!report.extrema_delaunay || !report.extrema_result) return nullptr;
@@ -42,10 +62,12 @@ Json extrema_json(const Report& report, SplitCount ExtremaCount::*count) {
 
 Json value_json(const Report& report) {
   if (!report.value) return nullptr;
-  return {{"delaunay", to_json(report.value->delaunay)},
-          {"result", to_json(report.value->result)},
-          {"bound", to_json(report.value->bound)},
-          {"optimal", report.value->optimal}};
+  Json json = {{"delaunay", to_json(report.value->delaunay)},
+               {"result", to_json(report.value->result)},
+               {"bound", to_json(report.value->bound)},
+               {"optimal", report.value->optimal}};
+  if (report.given) json["input"] = to_json(report.given->value);
+  return json;
 }
 
 /// Of a sum of angles.
@@ -57,10 +79,19 @@ Json mean_json(const Report& report) {
           {"bound", to_json(report.value->bound / *count)}};
 }
 
-Json report_json(const Report& report, const Order& k, const TakenColumns& columns,
+/// Of a mesh that was to be improved.
+Json given_json(const Report& report, const Source& source) {
+  if (!source.is_tin) return nullptr;
+  return {{"order", report.given ? Json(report.given->order) : Json(nullptr)},
+          {"is_result", report.given && report.given->is_kept},
+          {"unused_vertices", source.unused_vertices}};
+}
+
+Json report_json(const Report& report, const Order& k, const Source& source,
                  const Json& constraints) {
   return {{"points", report.points},
-          {"columns", to_json(columns)},
+          {"columns", source.is_tin ? Json(nullptr) : to_json(source.table.columns)},
+          {"input", given_json(report, source)},
           {"duplicates", report.duplicates},
           {"duplicate_heights", heights_json(report.duplicate_heights)},
           {"constraints", constraints},
@@ -93,16 +124,25 @@ std::string extrema_line(std::string_view name, const Report& report,
                      before.boundary, after.boundary);
 }
 
-std::string summary(const Report& report, const TakenColumns& columns,
-                    const std::string& constraints, const Arguments& arguments) {
+std::string summary(const Report& report, const Source& source, const std::string& constraints,
+                    const Arguments& arguments) {
   std::string text = fmt::format("{:<13} {}, {}\n", "points", report.points,
                                  dropped_text(report.duplicates, report.duplicate_heights));
-  text += fmt::format("{:<13} {}\n", "columns", text_of(columns));
+  if (!source.is_tin)
+    text += fmt::format("{:<13} {}\n", "columns", text_of(source.table.columns));
   text += constraints;
+  if (report.given)
+    text += fmt::format("{:<13} a mesh of order {}{}{}\n", "input", report.given->order,
+                        report.given->is_kept ? ", of which nothing better was found" : "",
+                        source.unused_vertices > 0
+                            ? fmt::format("; {} of no triangle left out",
+                                          counted(source.unused_vertices, "vertex", "vertices"))
+                            : "");
   text += fmt::format("{:<13} {}, of order {} at most (allowed: {})\n", "triangles",
                       report.triangles, report.order, parse_order(arguments.order).digits);
   if (report.value) {
-    text += fmt::format("{:<13} {} -> {}, proven bound {}{}\n", name_of(report.objective),
+    text += fmt::format("{:<13} {}{} -> {}, proven bound {}{}\n", name_of(report.objective),
+                        report.given ? fmt::format("{} (input), ", report.given->value) : "",
                         report.value->delaunay, report.value->result, report.value->bound,
                         report.value->optimal ? ": optimal" : "");
     if (const std::optional<double> count = angles_in_sum(report))
@@ -145,16 +185,16 @@ int run(const Arguments& arguments) {
   Stopwatch watch;
   TriangulateResult result;
   Outputs outputs;
-  TakenColumns columns;
+  Source source;
   std::string constraints_lines;
   Json constraints;
   {
     TerminalProgress progress;
     progress.report("reading");
-    PointTable table = read_input_points(arguments.input);
-    columns = table.columns;
-    const Joined joined = read_constraints(arguments.constraints, arguments.input.file,
-                                           std::move(table.points));
+    source = read_source(arguments.input);
+    Joined joined = read_constraints(arguments.constraints, arguments.input.file,
+                                     std::move(source.table.points));
+    if (source.is_tin) add_given(source.constraints, arguments.input.file, joined);
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
     result = triangulate_joined(arguments.input.file, joined, options);
@@ -169,11 +209,11 @@ int run(const Arguments& arguments) {
     write_tin(result.tin, mesh);
     mesh.finish();
     result.report.seconds.write = watch.lap();
-    print_warnings(arguments.input.file, table);
+    print_warnings(arguments.input.file, source.table);
   }
-  outputs.write_json(report_json(result.report, parse_order(arguments.order), columns, constraints),
+  outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
                      arguments.json);
-  outputs.commit(summary(result.report, columns, constraints_lines, arguments));
+  outputs.commit(summary(result.report, source, constraints_lines, arguments));
   return kOk;
 }
 
@@ -215,6 +255,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       "Examples:\n"
       "  hodt triangulate terrain.csv -o terrain.ply\n"
       "  hodt triangulate survey.txt --columns x=3,y=2,z=4 -o survey.ply\n"
+      "  hodt triangulate mesh.ply -o better.ply --objective min-max-angle\n"
       "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o site.ply\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
       "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");

@@ -13,10 +13,12 @@
 #include "hodt/base/stopwatch.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/optimize/optimize.h"
+#include "hodt/optimize/value_of.h"
 #include "hodt/order/change_problem.h"
 #include "hodt/order/delaunay_graph.h"
 #include "hodt/order/triangulation_order.h"
 #include "hodt/pipeline/constrain.h"
+#include "hodt/pipeline/given_tin.h"
 
 namespace hodt {
 
@@ -110,8 +112,31 @@ void verify_mesh(const DelaunayGraph& graph, const MeshChange& change) {
   if (!problem.empty()) throw_defect("the result is no triangulation of the points: " + problem);
 }
 
+/// What is known without an objective of a triangulation that was there already.
+Report::Given look_at_given(const DelaunayGraph& graph, const TriangleMesh& given) {
+  if (const std::string problem = change_problem(graph, given); !problem.empty())
+    throw InputError("the triangles given are no triangulation of the domain: " + problem);
+  return {static_cast<Index>(order_histogram(graph, given).size() - 1), 0, false};
+}
+
+/// Compares what was there already; takes it if it is better than what was found.
+void compare_with_given(const DelaunayGraph& graph, std::span<const double> z,
+                        const TriangleMesh& given, const TriangulateOptions& options,
+                        Optimum& optimum, Report& report) {
+  report.given->value = value_of(options.objective, given, graph.xy, z);
+  Value& value = optimum.value;
+  if (report.given->order > options.order ||
+      !is_better(options.objective, report.given->value, value.result))
+    return;
+  report.given->is_kept = true;
+  optimum.change = MeshChange(given);
+  value.result = report.given->value;
+  value.optimal = value.result == value.bound;
+}
+
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
-void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
+void optimize_and_verify(Delaunay& delaunay, const MinimaToKeep& keep,
+                         const std::optional<TriangleMesh>& given,
                          const TriangulateOptions& options, Report& report) {
   const Deadline deadline(options.time_limit);
   DelaunayGraph graph(delaunay);
@@ -120,9 +145,12 @@ void optimize_and_verify(Delaunay& delaunay, const Buffer<bool>& keep,
                              {.order = options.order,
                               .method = options.method,
                               .deadline = deadline,
-                              .keep = keep,
+                              .keep = keep.is_kept,
                               .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
+  // It need not have the minima that are to stay.
+  if (report.given && keep.count == 0)
+    compare_with_given(graph, delaunay.vertices.z, *given, options, optimum, report);
   verify_mesh(graph, optimum.change);
   report.order_histogram = order_histogram(graph, optimum.change);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
@@ -141,7 +169,7 @@ Prepared prepare(const PointSet& points, const TriangulateOptions& options,
     throw ParameterError("minima to keep need heights, and the points have none; add a z column");
   Stopwatch watch;
   if (options.progress) options.progress("Delaunay triangulation", -1);
-  Prepared prepared{delaunay(points), {}, {}};
+  Prepared prepared{delaunay(points), {}, {}, {}};
   const VertexSet& vertices = prepared.delaunay.vertices;
   const TriangleMesh& mesh = prepared.delaunay.mesh;
   Report& report = prepared.report;
@@ -150,6 +178,10 @@ Prepared prepare(const PointSet& points, const TriangulateOptions& options,
   if (!constraints.empty()) {
     if (options.progress) options.progress("constraints", -1);
     report.constraints = constrain(prepared.delaunay, points, constraints);
+    if (!constraints.triangles.empty()) {
+      prepared.given = mesh_of_given(prepared.delaunay, points, constraints.triangles);
+      report.given = look_at_given(DelaunayGraph(prepared.delaunay), *prepared.given);
+    }
   }
   report.seconds.delaunay = watch.lap();
   report.triangles = mesh.triangle_count();
@@ -184,7 +216,7 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
 
   Stopwatch watch;
   if (options.objective != Objective::none) {
-    optimize_and_verify(delaunay, prepared.keep.is_kept, options, report);
+    optimize_and_verify(delaunay, prepared.keep, prepared.given, options, report);
     report.seconds.optimize += watch.lap();
     if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
   }

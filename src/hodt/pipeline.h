@@ -68,6 +68,14 @@ struct Report {
   std::optional<Value> value;  ///< empty for Objective::none
   /// What constraints did; nothing without any.
   ConstraintReport constraints;
+  /// Of the triangulation that was there already, if there was one: its (constrained) order, and
+  /// the objective's value, which is 0 for Objective::none.
+  struct Given {
+    Index order = 0;
+    double value = 0;
+    bool is_kept = false;  ///< nothing better was found: it is the result
+  };
+  std::optional<Given> given;
   /// Of the Delaunay triangulation and of the result; empty if the input has no heights.
   std::optional<ExtremaCount> extrema_delaunay;
   std::optional<ExtremaCount> extrema_result;
@@ -101,6 +109,8 @@ TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& 
 /// What triangulate() begins with, whatever the order and the objective.
 struct Prepared {
   Delaunay delaunay;
+  /// The triangulation that was there already, on the same vertices.
+  std::optional<TriangleMesh> given;
   MinimaToKeep keep;
   /// As far as it is known.
   Report report;

@@ -27,6 +27,10 @@ struct Constraints {
   /// Of the triangles inside, those at the boundary go that have an edge there longer than this,
   /// from outside in; edges that have to be there are not taken away.
   double max_edge = std::numeric_limits<double>::infinity();
+  /// A triangulation of the domain that is there already, to compare with: its triangles, counter-
+  /// clockwise (see pipeline/given_tin.h). The result is no worse, if it is of no larger order than
+  /// is asked for. Not together with max_edge.
+  std::vector<std::array<Index, 3>> triangles;
 
   bool empty() const {
     return edges.empty() && boundary.empty() &&

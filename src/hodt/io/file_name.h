@@ -32,4 +32,10 @@ inline bool is_geojson_name(const std::filesystem::path& path) {
   return extension == ".geojson" || extension == ".json";
 }
 
+/// Whether the name is one of a mesh that hodt reads.
+inline bool is_mesh_name(const std::filesystem::path& path) {
+  const std::string extension = format_extension(path);
+  return extension == ".obj" || extension == ".ply";
+}
+
 }  // namespace hodt
