@@ -21,6 +21,7 @@ Index Reachable::count(VertexId a, VertexId b, VertexId c, Index limit) {
   if (!begin_at(a, b, c, kFewTriangles) && !begin_at(b, c, a, kFewTriangles) &&
       !begin_at(c, a, b, kFewTriangles))
     begin_at(a, b, c, kNone);
+  if (overlapping_.empty()) return limit + 1;
   for (std::size_t i = 0; i < reached_.size() && inside_.size() <= limit; ++i)
     go_around(reached_[i]);
   if (inside_.size() > limit) inside_.resize(limit + 1);

@@ -26,8 +26,8 @@ class Reachable {
   explicit Reachable(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size()) {}
 
   /// The number of vertices reached inside the circle through a, b and c (counter-clockwise) from
-  /// the triangle abc, or limit + 1 if there are more than `limit`. REQUIRES that the triangle
-  /// crosses no wall.
+  /// the triangle abc, or limit + 1 if there are more than `limit`, and if the triangle is outside
+  /// of the domain, between edges of its border. REQUIRES that it crosses no wall.
   Index count(VertexId a, VertexId b, VertexId c, Index limit);
 
   /// Those that the last count found, at most limit + 1 of them.
