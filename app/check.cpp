@@ -2,6 +2,7 @@
 // Tested by tests/app/command_test.cpp.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -10,8 +11,10 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/io/line_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/order/mesh_order.h"
+#include "hodt/tin/boundary_edges.h"
 #include "hodt/tin/embedding.h"
 #include "hodt/tin/quality.h"
 
@@ -23,6 +26,7 @@ struct Arguments {
   std::string tin;
   std::string order;
   bool strict = false;
+  std::vector<std::string> breaklines;
   std::string threads;
   std::string json;
 };
@@ -44,26 +48,57 @@ void make_counter_clockwise(Tin& tin) {
   }
 }
 
-Findings examine(Tin tin) {
+using Edge = std::array<Index, 2>;
+
+/// The pieces of the lines, as edges between vertices of the mesh.
+std::vector<Edge> edges_of(const std::vector<std::string>& files, const Tin& tin) {
+  std::vector<Edge> edges;
+  if (files.empty()) return edges;
+  std::map<std::pair<double, double>, Index> vertex_at;
+  for (std::size_t v = 0; v < tin.points.size(); ++v)
+    vertex_at.try_emplace({tin.points.xy[v].x, tin.points.xy[v].y}, static_cast<Index>(v));
+  for (const std::string& file : files) {
+    const Lines lines = read_lines(file);
+    for (const Line& line : lines.lines) {
+      Index last = kNone;
+      for (const Point& p : line.xy) {
+        const auto at = vertex_at.find({p.x, p.y});
+        if (at == vertex_at.end())
+          throw InputError(fmt::format("{}, {} {}: the mesh has no vertex at x {}, y {}",
+                                       lines.source, lines.part, line.part, p.x, p.y));
+        if (last != kNone && last != at->second) edges.push_back({last, at->second});
+        last = at->second;
+      }
+    }
+  }
+  return edges;
+}
+
+Findings examine(Tin tin, std::vector<Edge> walls) {
   Findings findings;
   findings.points = tin.points.size();
   findings.triangles = tin.triangles.size();
   findings.embedding = check_embedding(tin.points.xy, tin.triangles);
   if (!findings.embedding.embedded) return findings;
   if (findings.embedding.clockwise > 0) make_counter_clockwise(tin);
-  findings.order = order_of_mesh(tin.points, tin.triangles);
+  // The mesh's own border is one that nothing is reached across.
+  if (!findings.embedding.covers_hull) {
+    const std::vector<Edge> border = boundary_edges(tin.triangles);
+    walls.insert(walls.end(), border.begin(), border.end());
+  }
+  findings.order = order_of_mesh(tin.points, tin.triangles, walls);
   findings.quality = quality_of(tin.points.xy, tin.triangles);
   if (tin.points.has_heights()) findings.extrema = count_extrema(tin.points, tin.triangles);
   return findings;
 }
 
 bool is_of_order(const Findings& findings, Index k) {
-  return findings.order && findings.order->order_plain <= k;
+  return findings.order && findings.order->missing_walls == 0 && findings.order->order_plain <= k;
 }
 
 bool passes(const Findings& findings, const std::optional<Order>& k, bool strict) {
   const Embedding& embedding = findings.embedding;
-  if (!embedding.embedded) return false;
+  if (!embedding.embedded || findings.order->missing_walls > 0) return false;
   if (k && !is_of_order(findings, k->limit)) return false;
   return !strict || (embedding.covers_hull && embedding.unused_vertices == 0);
 }
@@ -98,11 +133,13 @@ Json findings_json(const Findings& findings, const std::optional<Order>& k) {
                {"order", nullptr},
                {"order_plain", nullptr},
                {"order_histogram", nullptr},
+               {"missing_edges", nullptr},
                {"quality", nullptr}};
   if (!embedding.embedded) json["problem"] = embedding.problem;
   if (embedding.embedded) json["components"] = embedding.components;
   if (embedding.embedded) json["boundary_edges"] = embedding.boundary_edges;
-  if (findings.order) {
+  if (findings.order) json["missing_edges"] = findings.order->missing_walls;
+  if (findings.order && findings.order->missing_walls == 0) {
     json["order"] = findings.order->order;
     json["order_plain"] = findings.order->order_plain;
     json["order_histogram"] = findings.order->histogram;
@@ -169,9 +206,14 @@ std::string summary(const Findings& findings, const std::optional<Order>& k) {
   text += fmt::format("{:<16} yes, {}\n", "embedded", counted(embedding.components, "component"));
   text += fmt::format("{:<16} {}\n", "covers the hull", embedding.covers_hull ? "yes" : "no");
   text += fmt::format("{:<16} {}\n", "unused vertices", embedding.unused_vertices);
-  text += fmt::format("{:<16} {} (ties perturbed: {})\n", "order", findings.order->order_plain,
-                      findings.order->order);
-  text += histogram_line(*findings.order);
+  if (const std::size_t missing = findings.order->missing_walls; missing > 0) {
+    text += fmt::format("{:<16} no: {} missing\n", "has the lines",
+                        counted(missing, "edge is", "edges are"));
+  } else {
+    text += fmt::format("{:<16} {} (ties perturbed: {})\n", "order", findings.order->order_plain,
+                        findings.order->order);
+    text += histogram_line(*findings.order);
+  }
   if (k)
     text += fmt::format("order {} or less  {}\n", k->digits,
                         is_of_order(findings, k->limit) ? "yes" : "no");
@@ -198,7 +240,9 @@ int run(const Arguments& arguments) {
     progress.report("reading");
     Tin tin = read_tin(arguments.tin);
     progress.report("checking");
-    findings = naming(arguments.tin, [&] { return examine(std::move(tin)); });
+    std::vector<Edge> walls = edges_of(arguments.breaklines, tin);
+    findings =
+        naming(arguments.tin, [&] { return examine(std::move(tin), std::move(walls)); });
   }
   Outputs outputs;
   outputs.write_json(findings_json(findings, k), arguments.json);
@@ -217,6 +261,11 @@ void add_check(CLI::App& app, Action& action) {
   command.add_option("-k,--order", arguments->order, "Require this order or less")->type_name("K");
   command.add_flag("--strict", arguments->strict,
                    "Require also that it covers the convex hull with no vertex unused");
+  command
+      .add_option("--breaklines", arguments->breaklines,
+                  "Require the edges of these lines (GeoJSON), whose vertices are the mesh's,\n"
+                  "and count no point beyond them; repeatable")
+      ->type_name("FILE");
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write the findings as JSON; - is standard output")
       ->type_name("FILE");
@@ -224,6 +273,7 @@ void add_check(CLI::App& app, Action& action) {
       "Quality is that of the triangles in (x, y): angles in degrees; the radius ratio, twice the\n"
       "inradius by the circumradius, is 1 for an equilateral triangle and 0 for a sliver; the\n"
       "aspect ratio is the longest edge by its height, 1 for an equilateral triangle.\n"
+      "Points beyond the mesh's own border or its holes do not count for the order.\n"
       "Exit status: 0 if the mesh is as required, 1 if not, 2 for bad input or usage.\n"
       "Examples:\n"
       "  hodt check terrain.ply\n"

@@ -150,12 +150,15 @@ void add_given(Constraints& given, const std::string& input, Joined& joined) {
     constraints.triangles = std::move(given.triangles);
 }
 
-TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
-                                     const TriangulateOptions& options) {
+namespace {
+
+/// f(), whose errors name the input, or the lines that cross.
+template <class F>
+auto naming_lines(const std::string& input, const Joined& joined, const F& f) {
   std::string crossing;
   const auto run = [&] {
     try {
-      return triangulate(joined.points, options, joined.constraints);
+      return f();
     } catch (const CrossingError& error) {
       crossing = crossing_text(joined, error.crossings().front());
       if (const std::size_t more = error.crossings().size() - 1; more > 0)
@@ -172,11 +175,29 @@ TriangulateResult triangulate_joined(const std::string& input, const Joined& joi
   }
 }
 
-std::string constraints_text(const JoinReport& joined, const ConstraintReport& report) {
-  std::string text = fmt::format("{:<13} {}, as {} of the triangulation\n", "constraints",
-                                 counted(report.edges, "edge"), counted(report.walls, "edge"));
+}  // namespace
+
+TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
+                                     const TriangulateOptions& options) {
+  return naming_lines(input, joined, [&] {
+    return triangulate(joined.points, options, joined.constraints);
+  });
+}
+
+JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined) {
+  return naming_lines(input, joined, [&] {
+    Prepared prepared = prepare(joined.points, {}, joined.constraints);
+    return JoinedDelaunay{std::move(prepared.delaunay), std::move(prepared.report)};
+  });
+}
+
+std::string constraints_text(const JoinReport& joined, const ConstraintReport& report,
+                             int indent) {
+  std::string text =
+      fmt::format("{:<{}} {}, as {} of the triangulation\n", "constraints", indent,
+                  counted(report.edges, "edge"), counted(report.walls, "edge"));
   const auto line = [&](std::string_view what) {
-    text += fmt::format("{:<13} {}\n", "", what);
+    text += fmt::format("{:<{}} {}\n", "", indent, what);
   };
   if (joined.added + joined.at_points > 0)
     line(fmt::format("vertices of lines: {} added, {} at points", joined.added, joined.at_points));

@@ -43,9 +43,17 @@ void add_given(Constraints& given, const std::string& input, Joined& joined);
 TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
                                      const TriangulateOptions& options);
 
+/// The (constrained) Delaunay triangulation, with errors like these, and what is known of it.
+struct JoinedDelaunay {
+  Delaunay triangulation;
+  Report report;
+};
+JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined);
+
 /// The lines of a summary, and the part of a report, that tell of constraints; empty and null if
 /// there are none.
-std::string constraints_text(const JoinReport& joined, const ConstraintReport& report);
+std::string constraints_text(const JoinReport& joined, const ConstraintReport& report,
+                             int indent = 13);
 Json constraints_json(const JoinReport& joined, const ConstraintReport& report);
 
 }  // namespace hodt::app

@@ -19,6 +19,7 @@ void add_list_options(CLI::App& command, ListArguments& arguments, const std::st
                   "CSV to write; vertices are data rows of the input, from 0; - is standard output")
       ->required()
       ->type_name("OUT");
+  add_constraints(command, arguments.constraints);
   add_threads(command, arguments.threads);
 }
 
@@ -48,15 +49,18 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_columns(arguments.input.columns);
   check_targets(arguments.input.file, arguments.output, {});
+  check_constraints(arguments.constraints, arguments.input.file, arguments.output, {});
   std::string summary;
   Outputs outputs;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointTable table = read_input_points(arguments.input);
-    const PointSet& points = table.points;
+    PointTable table = read_input_points(arguments.input);
+    const Joined joined =
+        read_constraints(arguments.constraints, arguments.input.file, std::move(table.points));
+    const PointSet& points = joined.points;
     progress.report("Delaunay triangulation");
-    const Delaunay triangulation = naming(arguments.input.file, [&] { return delaunay(points); });
+    const auto [triangulation, constrained] = delaunay_of_joined(arguments.input.file, joined);
     const std::size_t distinct = triangulation.vertices.size();
     DelaunayGraph graph(triangulation);
     graph.list_neighbours();
@@ -67,7 +71,9 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
             row_numbering(triangulation.vertices, points.size()), lines);
     lines.flush();
     summary = fmt::format("{:<9} {}, {} dropped\n", "points", points.size(),
-                          counted(points.size() - distinct, "duplicate"));
+                          counted(constrained.duplicates, "duplicate"));
+    if (arguments.constraints.any())
+      summary += constraints_text(joined.report, constrained.constraints, 11);
     summary += fmt::format("{:<9} {}, {} of order {} or less\n", things, lines.count(),
                            arguments.list_class, k.digits);
     summary += fmt::format("{:<9} {}\n", "columns", text_of(table.columns));

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/common.h"
+#include "app/constraints_input.h"
 #include "app/points_input.h"
 
 #include "hodt/io/atomic_write.h"
@@ -19,6 +20,7 @@ namespace hodt::app {
 
 struct ListArguments {
   PointsInput input;
+  ConstraintArguments constraints;
   std::string output;
   std::string order = "4";
   std::string list_class;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/order/fixed_edges.h"
 #include "hodt/order/search/neighbourhood.h"
@@ -125,6 +126,9 @@ using Sink = std::function<void(std::span<const EdgeRecord>)>;
 
 void stream(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering* numbering,
             const Sink& sink, const Deadline& deadline) {
+  if (edge_class == EdgeClass::kod && graph.has_walls())
+    throw ParameterError(
+        "k-OD edges are not found with constraints; useful, fixed and Delaunay edges are");
   const bool asks_fixed =
       edge_class == EdgeClass::fixed || (edge_class == EdgeClass::useful && k == 1);
   const Buffer<bool> fixed = asks_fixed ? fixed_edges(graph, k, deadline) : Buffer<bool>();

@@ -1,9 +1,14 @@
 #include "hodt/order/mesh_order.h"
 
 #include <algorithm>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/order/circle_counter.h"
+#include "hodt/order/constrained/constrained_delaunay.h"
 
 namespace hodt {
 
@@ -22,12 +27,52 @@ struct Counts {
   }
 };
 
+using Edge = std::array<Index, 2>;
+
+Edge sorted_ends(Index u, Index v) {
+  return {std::min(u, v), std::max(u, v)};
+}
+
+/// Makes the walls, and counts those that the triangles do not have.
+std::size_t make_walls(Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
+                       std::span<const std::array<Index, 3>> triangles,
+                       std::span<const Edge> walls) {
+  std::vector<std::array<VertexId, 2>> ends;
+  for (const auto& [u, v] : walls) ends.push_back({vertex_of[u], vertex_of[v]});
+  if (const std::vector<CrossingEdges> crossings = insert_walls(delaunay, ends);
+      !crossings.empty()) {
+    const auto [i, j] = crossings.front();
+    throw InputError(fmt::format(
+        "the edge from vertex {} to {} and that from {} to {} have to be there, but they cross",
+        walls[i][0], walls[i][1], walls[j][0], walls[j][1]));
+  }
+  std::vector<Edge> sides;
+  for (const auto& [a, b, c] : triangles)
+    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      sides.push_back(sorted_ends(vertex_of[u], vertex_of[v]));
+  std::sort(sides.begin(), sides.end());
+  std::size_t missing = 0;
+  const TriangleMesh& mesh = delaunay.mesh;
+  for (Index i = 0; i < mesh.halfedge_count(); ++i)
+    if (const HalfEdgeId h(i), twin = mesh.twin(h);
+        delaunay.walls[h] && (!twin.valid() || h < twin))
+      missing += !std::binary_search(sides.begin(), sides.end(),
+                                     sorted_ends(mesh.origin(h), mesh.target(h)));
+  return missing;
+}
+
 }  // namespace
 
-MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index, 3>> triangles) {
-  const Delaunay delaunay = hodt::delaunay({points.xy, {}});
-  const DelaunayGraph graph(delaunay);
+MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index, 3>> triangles,
+                        std::span<const std::array<Index, 2>> walls) {
+  Delaunay delaunay = hodt::delaunay({points.xy, {}});
   const Buffer<VertexId> vertex_of = vertices_of_rows(points, delaunay.vertices);
+  if (!walls.empty()) {
+    MeshOrder unknown;
+    unknown.missing_walls = make_walls(delaunay, vertex_of, triangles, walls);
+    if (unknown.missing_walls > 0) return unknown;
+  }
+  const DelaunayGraph graph(delaunay);
 
   constexpr std::size_t kPiece = 1024;
   const std::size_t pieces = (triangles.size() + kPiece - 1) / kPiece;

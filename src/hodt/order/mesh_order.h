@@ -18,11 +18,19 @@ struct MeshOrder {
   Index order_plain = 0;
   /// How many triangles have plain order 0, 1, ..., `order_plain`.
   std::vector<std::size_t> histogram;
+  /// Edges that were to be walls and are no edges of the mesh, counted from vertex to vertex. If
+  /// there are any, nothing was counted.
+  std::size_t missing_walls = 0;
 };
 
 /// Counts the points inside every triangle's circumcircle. Points that are a corner of no triangle
 /// count too; a point with the coordinates of a corner is outside. Works for any list of triangles,
 /// embedded or not. Requires every triangle counter-clockwise and every corner < points.size().
-MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index, 3>> triangles);
+///
+/// With walls, edges between points, the orders are constrained orders: points that are not reached
+/// without crossing a wall do not count. Then requires an embedded mesh. Throws InputError if walls
+/// cross.
+MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index, 3>> triangles,
+                        std::span<const std::array<Index, 2>> walls = {});
 
 }  // namespace hodt

@@ -13,14 +13,15 @@ Numbering own_numbering(std::size_t vertices) {
 
 Numbering row_numbering(const VertexSet& vertices, std::size_t rows) {
   Numbering numbering{Buffer<Index>(vertices.size()), Buffer<VertexId>(vertices.size())};
-  Buffer<VertexId> of_row(rows, VertexId{});
+  // A duplicate's row has no vertex; a place where a domain touches itself has several.
+  Buffer<Index> next(rows + 1, 0);
   for (Index v = 0; v < vertices.size(); ++v) {
     numbering.number[v] = vertices.row[v];
-    of_row[vertices.row[v]] = VertexId(v);
+    ++next[vertices.row[v] + 1];
   }
-  Index next = 0;
-  for (const VertexId v : of_row)  // a duplicate's row has no vertex
-    if (v.valid()) numbering.ascending[next++] = v;
+  for (std::size_t row = 0; row < rows; ++row) next[row + 1] += next[row];
+  for (Index v = 0; v < vertices.size(); ++v)
+    numbering.ascending[next[vertices.row[v]]++] = VertexId(v);
   return numbering;
 }
 

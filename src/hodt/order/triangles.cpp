@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/order/circle_counter.h"
@@ -209,6 +210,8 @@ void for_each_valid_triangle(const DelaunayGraph& graph, Index k, const Numberin
 
 void for_each_triangle(const DelaunayGraph& graph, TriangleClass triangle_class, Index k,
                        const Numbering& numbering, const Sink& sink, const Deadline& deadline) {
+  if (triangle_class == TriangleClass::kod && graph.has_walls())
+    throw ParameterError("k-OD triangles are not found with constraints; valid ones are");
   if (triangle_class == TriangleClass::kod)
     for_each_kod_triangle(graph, k, numbering, sink, deadline);
   else
