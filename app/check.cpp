@@ -241,8 +241,7 @@ int run(const Arguments& arguments) {
     Tin tin = read_tin(arguments.tin);
     progress.report("checking");
     std::vector<Edge> walls = edges_of(arguments.breaklines, tin);
-    findings =
-        naming(arguments.tin, [&] { return examine(std::move(tin), std::move(walls)); });
+    findings = naming(arguments.tin, [&] { return examine(std::move(tin), std::move(walls)); });
   }
   Outputs outputs;
   outputs.write_json(findings_json(findings, k), arguments.json);

@@ -131,8 +131,7 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
   if (!arguments.keep_edges.empty() && !keeps_lines)
     add_edge_pairs(arguments.keep_edges, input, joined, rows);
   if (!arguments.max_edge.empty())
-    joined.constraints.max_edge =
-        parse_non_negative("--max-edge", "a length", arguments.max_edge);
+    joined.constraints.max_edge = parse_non_negative("--max-edge", "a length", arguments.max_edge);
   return joined;
 }
 
@@ -179,9 +178,8 @@ auto naming_lines(const std::string& input, const Joined& joined, const F& f) {
 
 TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
                                      const TriangulateOptions& options) {
-  return naming_lines(input, joined, [&] {
-    return triangulate(joined.points, options, joined.constraints);
-  });
+  return naming_lines(input, joined,
+                      [&] { return triangulate(joined.points, options, joined.constraints); });
 }
 
 JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined) {
@@ -191,19 +189,16 @@ JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined
   });
 }
 
-std::string constraints_text(const JoinReport& joined, const ConstraintReport& report,
-                             int indent) {
-  std::string text =
-      fmt::format("{:<{}} {}, as {} of the triangulation\n", "constraints", indent,
-                  counted(report.edges, "edge"), counted(report.walls, "edge"));
+std::string constraints_text(const JoinReport& joined, const ConstraintReport& report, int indent) {
+  std::string text = fmt::format("{:<{}} {}, as {} of the triangulation\n", "constraints", indent,
+                                 counted(report.edges, "edge"), counted(report.walls, "edge"));
   const auto line = [&](std::string_view what) {
     text += fmt::format("{:<{}} {}\n", "", indent, what);
   };
   if (joined.added + joined.at_points > 0)
     line(fmt::format("vertices of lines: {} added, {} at points", joined.added, joined.at_points));
   if (joined.snapped > 0) line(fmt::format("{} of them moved to a point", joined.snapped));
-  if (joined.soft > 0)
-    line(fmt::format("{} took their heights from the surface", joined.soft));
+  if (joined.soft > 0) line(fmt::format("{} took their heights from the surface", joined.soft));
   if (joined.heights_replaced > 0)
     line(fmt::format("{} of points replaced by those of lines, by {} at most",
                      counted(joined.heights_replaced, "height"), joined.largest_replacement));

@@ -15,8 +15,8 @@
 #include "hodt/base/parallel.h"
 #include "hodt/io/file_name.h"
 #include "hodt/io/tin_file.h"
-#include "hodt/pipeline/given_tin.h"
 #include "hodt/pipeline.h"
+#include "hodt/pipeline/given_tin.h"
 
 namespace hodt::app {
 
@@ -49,8 +49,8 @@ Source read_source(const PointsInput& input) {
     throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
                          " is a mesh");
   GivenTin given = naming(input.file, [&] { return given_tin(read_tin(input.file)); });
-  return {true, {std::move(given.points), {}, {}}, std::move(given.constraints),
-          given.unused_vertices};
+  return {
+      true, {std::move(given.points), {}, {}}, std::move(given.constraints), given.unused_vertices};
 }
 
 /// The same count of both triangulations, as JSON.
@@ -128,8 +128,7 @@ std::string summary(const Report& report, const Source& source, const std::strin
                     const Arguments& arguments) {
   std::string text = fmt::format("{:<13} {}, {}\n", "points", report.points,
                                  dropped_text(report.duplicates, report.duplicate_heights));
-  if (!source.is_tin)
-    text += fmt::format("{:<13} {}\n", "columns", text_of(source.table.columns));
+  if (!source.is_tin) text += fmt::format("{:<13} {}\n", "columns", text_of(source.table.columns));
   text += constraints;
   if (report.given)
     text += fmt::format("{:<13} a mesh of order {}{}{}\n", "input", report.given->order,
@@ -256,7 +255,8 @@ void add_triangulate(CLI::App& app, Action& action) {
       "  hodt triangulate terrain.csv -o terrain.ply\n"
       "  hodt triangulate survey.txt --columns x=3,y=2,z=4 -o survey.ply\n"
       "  hodt triangulate mesh.ply -o better.ply --objective min-max-angle\n"
-      "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o site.ply\n"
+      "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o "
+      "site.ply\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
       "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

@@ -14,9 +14,11 @@ std::string useful_edge();           ///< Lemma 4 (Figure 4a)
 std::string hull();                  ///< Figures 4b and 5
 std::string crossing_edges();        ///< Figure 8
 std::string fixed_edges();
-std::string voronoi();         ///< Lemma 2
-std::string artificial_dam();  ///< Figure 1
-std::string extrema_cycle();   ///< Figure 7
-std::string conflict_graph();  ///< Theorem 8
+std::string voronoi();            ///< Lemma 2
+std::string artificial_dam();     ///< Figure 1
+std::string extrema_cycle();      ///< Figure 7
+std::string conflict_graph();     ///< Theorem 8
+std::string constrained_order();  ///< what counts beside a breakline
+std::string breaklines();
 
 }  // namespace gallery

@@ -32,6 +32,8 @@ constexpr Figure kFigures[] = {
     {"dam", gallery::artificial_dam},
     {"extrema_cycle", gallery::extrema_cycle},
     {"conflict_graph", gallery::conflict_graph},
+    {"constrained_order", gallery::constrained_order},
+    {"breaklines", gallery::breaklines},
 };
 
 void run(const std::filesystem::path& directory) {

@@ -88,8 +88,8 @@ PointSet kept_points(const PointSet& points, const OutputNumbering& numbering) {
   return kept;
 }
 
-ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices,
-                        const PointSet& points, const Report& report) {
+ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices, const PointSet& points,
+                        const Report& report) {
   if (report.constraints.triangles_outside + report.constraints.triangles_too_long == 0)
     return count_extrema(vertices.xy, vertices.z, mesh.origins());
   // Where a domain touches itself, two vertices are the same point.
@@ -218,7 +218,8 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   if (options.objective != Objective::none) {
     optimize_and_verify(delaunay, prepared.keep, prepared.given, options, report);
     report.seconds.optimize += watch.lap();
-    if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
+    if (points.has_heights())
+      report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
   }
   if (options.measure_pits && points.has_heights())
     report.pits = pit_totals(delaunay.mesh, vertices.xy, vertices.z);

@@ -100,8 +100,8 @@ struct TriangulateResult {
 /// but seconds.read and seconds.write.
 ///
 /// With constraints the triangulation has their edges, and only the triangles of their domain;
-/// orders are constrained orders (docs/definitions.md): no circle counts what is beyond an edge that
-/// has to be there. Delaunay, here and in the report, then means the constrained Delaunay
+/// orders are constrained orders (docs/definitions.md): no circle counts what is beyond an edge
+/// that has to be there. Delaunay, here and in the report, then means the constrained Delaunay
 /// triangulation. Throws what constrain() throws, too (see pipeline/constrain.h).
 TriangulateResult triangulate(const PointSet& points, const TriangulateOptions& options = {},
                               const Constraints& constraints = {});

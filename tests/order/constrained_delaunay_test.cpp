@@ -49,9 +49,8 @@ bool is_crossed(std::span<const Point> xy, const std::array<VertexId, 2>& e,
                 const std::array<VertexId, 2>& f) {
   const Point &a = xy[e[0]], &b = xy[e[1]], &p = xy[f[0]], &q = xy[f[1]];
   return orient(a, b, p) * orient(a, b, q) < 0 && orient(p, q, a) * orient(p, q, b) < 0 &&
-         std::none_of(xy.begin(), xy.end(), [&](const Point& v) {
-           return is_between(a, b, v) && is_between(p, q, v);
-         });
+         std::none_of(xy.begin(), xy.end(),
+                      [&](const Point& v) { return is_between(a, b, v) && is_between(p, q, v); });
 }
 
 /// Takes of random edges those that cross none that was taken before.
@@ -66,9 +65,8 @@ Edges random_edges(std::span<const Point> xy, std::size_t count, double reach, s
     const std::array<VertexId, 2> edge{VertexId{Index(a)}, VertexId{Index(b)}};
     const double dx = xy[edge[0]].x - xy[edge[1]].x, dy = xy[edge[0]].y - xy[edge[1]].y;
     if (dx * dx + dy * dy > reach * reach) continue;
-    if (std::none_of(edges.begin(), edges.end(), [&](const auto& other) {
-          return is_crossed(xy, edge, other);
-        }))
+    if (std::none_of(edges.begin(), edges.end(),
+                     [&](const auto& other) { return is_crossed(xy, edge, other); }))
       edges.push_back(edge);
   }
   return edges;
@@ -133,9 +131,8 @@ TEST(ConstrainedDelaunay, has_long_edges) {
   Delaunay d = delaunay({support::lattice(300, 200), {}});
   const std::span<const Point> xy = d.vertices.xy;
   const auto at = [&](double x, double y) {
-    const auto place = std::find_if(xy.begin(), xy.end(), [&](const Point& p) {
-      return p.x == x && p.y == y;
-    });
+    const auto place =
+        std::find_if(xy.begin(), xy.end(), [&](const Point& p) { return p.x == x && p.y == y; });
     return VertexId(Index(place - xy.begin()));
   };
   const Edges edges{{at(0, 1), at(299, 199)}, {at(0, 0), at(299, 0)}, {at(5, 0), at(199, 97)}};
@@ -149,8 +146,7 @@ TEST(ConstrainedDelaunay, has_all_edges_of_a_hub) {
   Delaunay d = delaunay(points);
   const Buffer<VertexId> vertex = vertices_of_rows(points, d.vertices);
   const Buffer<Index> degrees = degrees_of(d.mesh);
-  const VertexId hub(
-      Index(std::max_element(degrees.begin(), degrees.end()) - degrees.begin()));
+  const VertexId hub(Index(std::max_element(degrees.begin(), degrees.end()) - degrees.begin()));
   Edges edges;
   for (const VertexId v : vertex) edges.push_back({hub, v});
   ASSERT_TRUE(insert_walls(d, edges).empty());
@@ -182,8 +178,8 @@ TEST_P(Walls, finds_a_crossing_if_there_is_one) {
     const auto n = static_cast<int>(d.vertices.size());
     Edges edges;
     for (int i = 0; i < 4; ++i)
-      edges.push_back({VertexId{Index(random.integer(0, n - 1))},
-                       VertexId{Index(random.integer(0, n - 1))}});
+      edges.push_back(
+          {VertexId{Index(random.integer(0, n - 1))}, VertexId{Index(random.integer(0, n - 1))}});
     const std::vector<CrossingEdges> found = insert_walls(d, edges);
     std::vector<CrossingEdges> all;
     for (Index i = 0; i < edges.size(); ++i)

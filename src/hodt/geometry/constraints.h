@@ -12,8 +12,8 @@
 namespace hodt {
 
 /// By the rows of a PointSet, from 0. An edge may pass through points, which split it; edges may
-/// overlap, be given twice, or have equal ends, which is no edge. No two may cross elsewhere than at
-/// a point.
+/// overlap, be given twice, or have equal ends, which is no edge. No two may cross elsewhere than
+/// at a point.
 struct Constraints {
   using Edge = std::array<Index, 2>;
 
@@ -33,8 +33,7 @@ struct Constraints {
   std::vector<std::array<Index, 3>> triangles;
 
   bool empty() const {
-    return edges.empty() && boundary.empty() &&
-           max_edge == std::numeric_limits<double>::infinity();
+    return edges.empty() && boundary.empty() && max_edge == std::numeric_limits<double>::infinity();
   }
 };
 

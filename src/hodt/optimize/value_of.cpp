@@ -35,8 +35,10 @@ double value_of(const Objective& objective, const TriangleMesh& mesh, std::span<
   }
   const Heights heights{xy, z};
   double value = 0;
-  if (objective != Objective::min_local_maxima) value += extrema_of(mesh, heights, Extremum::minimum);
-  if (objective != Objective::min_local_minima) value += extrema_of(mesh, heights, Extremum::maximum);
+  if (objective != Objective::min_local_maxima)
+    value += extrema_of(mesh, heights, Extremum::minimum);
+  if (objective != Objective::min_local_minima)
+    value += extrema_of(mesh, heights, Extremum::maximum);
   return value;
 }
 

@@ -82,8 +82,7 @@ bool DelaunayGraph::is_wall_at(VertexId a, VertexId b) const {
     return std::pair(found.is_known, is_wall);
   };
   for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
-    if (const auto [is_known, is_wall] = find_at(from, to, kFewTriangles); is_known)
-      return is_wall;
+    if (const auto [is_known, is_wall] = find_at(from, to, kFewTriangles); is_known) return is_wall;
   return find_at(a, b, kNone).second;
 }
 

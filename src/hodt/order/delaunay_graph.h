@@ -164,7 +164,7 @@ class DelaunayGraph {
 
   NeighbourLists
       lists_;  // of neighbours, and kUsualDegree more vertices; empty before list_neighbours()
-  Buffer<bool> hub_;       // empty if there are none
+  Buffer<bool> hub_;  // empty if there are none
   // Of every vertex how many walls end there, the boundary counted as one: 2 stands for more.
   Buffer<std::uint8_t> wall_ends_;
   NeighbourLists onward_;  // empty likewise; a hub's list is empty

@@ -29,8 +29,8 @@ struct EdgeRecord {
 /// empty. Vertices go by their ids, u is lexicographically smaller than v, and the edges come
 /// sorted by u and then v. Memory does not grow with their number (but for `fixed`: a byte a
 /// half-edge). The same pieces on any number of threads. Of a graph with listed neighbours it is
-/// faster. Throws TimeIsUp if the deadline passes, and ParameterError for k-OD edges of a graph with
-/// walls.
+/// faster. Throws TimeIsUp if the deadline passes, and ParameterError for k-OD edges of a graph
+/// with walls.
 void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
                    const std::function<void(std::span<const EdgeRecord>)>& sink,
                    const Deadline& deadline = {});

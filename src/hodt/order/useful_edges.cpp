@@ -20,7 +20,8 @@ UsefulEdgeSearches::UsefulEdgeSearches(const DelaunayGraph& graph, Index limit,
     : deadline_(deadline), searches_([this, &graph] {
         return tree_ ? UsefulEdgeSearch(graph, *tree_) : UsefulEdgeSearch(graph);
       }) {
-  if (!graph.has_walls() && (limit >= search_policy::kLeastWithTree || graph.has_hubs())) tree_.emplace(graph.xy);
+  if (!graph.has_walls() && (limit >= search_policy::kLeastWithTree || graph.has_hubs()))
+    tree_.emplace(graph.xy);
 }
 
 }  // namespace hodt

@@ -173,8 +173,9 @@ class UsefulEdgeSearch {
   void among_walls(VertexId u, Index limit, const Wanted& wanted, Towards towards) {
     if (!wall_walk_) wall_walk_.emplace(graph_);
     wall_walk_->end_at(deadline_);
-    wall_walk_->from(u, limit, towards, wanted,
-                     [&](VertexId v, Index order) { found_.push_back({v, order}); });
+    wall_walk_->from(u, limit, towards, wanted, [&](VertexId v, Index order) {
+      found_.push_back({v, order});
+    });
   }
 
   template <class Wanted>

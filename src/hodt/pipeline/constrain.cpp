@@ -20,9 +20,9 @@ std::vector<std::array<VertexId, 2>> vertices_of(std::span<const Constraints::Ed
   for (const auto& [u, v] : edges) {
     for (const Index row : {u, v})
       if (row >= points.size())
-        throw ParameterError(fmt::format(
-            "a constraint ends at row {}, counted from 0, but there are {} points", row,
-            points.size()));
+        throw ParameterError(
+            fmt::format("a constraint ends at row {}, counted from 0, but there are {} points", row,
+                        points.size()));
     ends.push_back({vertex_of[u], vertex_of[v]});
   }
   return ends;

@@ -23,7 +23,8 @@ namespace {
 struct HashOfPoint {
   std::size_t operator()(const Point& p) const {
     // -0 is 0.
-    const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0), y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+    const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0),
+               y = std::bit_cast<std::uint64_t>(p.y + 0.0);
     const std::uint64_t mixed = (x ^ std::rotl(y, 32)) * 0x9e3779b97f4a7c15u;
     return static_cast<std::size_t>(mixed ^ (mixed >> 29));
   }
@@ -156,8 +157,7 @@ void Joiner::take_vertices(bool with_heights) {
         if (gives_height && at.has_line_height) {
           note(report.heights_in_conflict, report.largest_conflict, line.z[i] - points.z[at.row]);
         } else if (gives_height) {
-          note(report.heights_replaced, report.largest_replacement,
-               line.z[i] - points.z[at.row]);
+          note(report.heights_replaced, report.largest_replacement, line.z[i] - points.z[at.row]);
           points.z[at.row] = line.z[i];
         }
       }
@@ -189,8 +189,7 @@ void Joiner::take_heights_of_surface() {
     const auto [a, b, c] = mesh.corners(TriangleId(t));
     tin.triangles.push_back({a, b, c});
   }
-  const std::vector<double> heights =
-      interpolate(tin, std::span(points.xy).subspan(first));
+  const std::vector<double> heights = interpolate(tin, std::span(points.xy).subspan(first));
   std::copy(heights.begin(), heights.end(), points.z.begin() + std::ptrdiff_t(first));
   for_each_line([&](const Lines& source, const Line& line) {
     for (const Point& p : line.xy)
@@ -237,8 +236,7 @@ double Joiner::height_on(Index number, const Point& p) const {
   const PointSet& points = joined_.points;
   const Point &from = points.xy[a], &to = points.xy[b];
   const double dx = to.x - from.x, dy = to.y - from.y;
-  const double part =
-      std::fabs(dx) > std::fabs(dy) ? (p.x - from.x) / dx : (p.y - from.y) / dy;
+  const double part = std::fabs(dx) > std::fabs(dy) ? (p.x - from.x) / dx : (p.y - from.y) / dy;
   return points.z[a] + std::clamp(part, 0.0, 1.0) * (points.z[b] - points.z[a]);
 }
 
@@ -271,8 +269,7 @@ bool Joiner::split_crossings_once(std::unordered_map<Point, Index, HashOfPoint>&
   const Index breaklines = as_index(constraints.edges.size());
   const Index count = breaklines + as_index(constraints.boundary.size());
   std::vector<std::array<VertexId, 2>> ends;
-  for (Index e = 0; e < count; ++e)
-    ends.push_back({vertex_of[edge(e)[0]], vertex_of[edge(e)[1]]});
+  for (Index e = 0; e < count; ++e) ends.push_back({vertex_of[edge(e)[0]], vertex_of[edge(e)[1]]});
   const std::vector<CrossingEdges> crossings = insert_walls(d, ends);
   if (crossings.empty()) return false;
   if (rows.empty())

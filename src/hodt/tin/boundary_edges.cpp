@@ -5,8 +5,7 @@
 
 namespace hodt {
 
-std::vector<std::array<Index, 2>> boundary_edges(
-    std::span<const std::array<Index, 3>> triangles) {
+std::vector<std::array<Index, 2>> boundary_edges(std::span<const std::array<Index, 3>> triangles) {
   using Edge = std::array<Index, 2>;
   std::vector<std::pair<Edge, bool>> sides;  // by the smaller end; whether it runs from there
   sides.reserve(3 * triangles.size());

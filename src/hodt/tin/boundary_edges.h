@@ -11,7 +11,6 @@ namespace hodt {
 
 /// The edges that one triangle has, each in that triangle's direction, sorted: those that bound an
 /// embedded mesh (see embedding.h) and its holes. O(n log n).
-std::vector<std::array<Index, 2>> boundary_edges(
-    std::span<const std::array<Index, 3>> triangles);
+std::vector<std::array<Index, 2>> boundary_edges(std::span<const std::array<Index, 3>> triangles);
 
 }  // namespace hodt

@@ -10,9 +10,10 @@ inline bool is_closed(const DelaunayGraph& graph, HalfEdgeId h) {
   return graph.mesh.is_boundary(h) || graph.is_wall(h);
 }
 
-/// Calls f(h) for half-edges h that leave the neighbours of the origin of `from`, each in a triangle
-/// that is reached from the triangle of `from` by turning around that origin, and in_triangle(g) for
-/// the half-edges that leave the origin in these triangles. A neighbour may come twice.
+/// Calls f(h) for half-edges h that leave the neighbours of the origin of `from`, each in a
+/// triangle that is reached from the triangle of `from` by turning around that origin, and
+/// in_triangle(g) for the half-edges that leave the origin in these triangles. A neighbour may come
+/// twice.
 template <class InTriangle, class F>
 void for_each_reached_around(const DelaunayGraph& graph, HalfEdgeId from,
                              const InTriangle& in_triangle, const F& f) {

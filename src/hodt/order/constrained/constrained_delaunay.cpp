@@ -172,9 +172,11 @@ VertexId Inserter::make_way(HalfEdgeId crossed, VertexId from, VertexId to) {
       is_free = false;
       met_.emplace_back(mesh_.origin(h), mesh_.target(h), edge_);
     }
-    // `across` runs from left to right; the next half-edge from right to w, the last from w to left.
+    // `across` runs from left to right; the next half-edge from right to w, the last from w to
+    // left.
     const HalfEdgeId across = mesh_.twin(h);
-    const HalfEdgeId right_side = TriangleMesh::next(across), left_side = TriangleMesh::prev(across);
+    const HalfEdgeId right_side = TriangleMesh::next(across),
+                     left_side = TriangleMesh::prev(across);
     const VertexId w = mesh_.origin(left_side);
     const int side = w == to ? 0 : orient(a, b, xy_[w]);
     cavity_.push_back(TriangleMesh::triangle(across));
@@ -244,9 +246,9 @@ void Inserter::glue_sides() {
   std::sort(sides_.begin(), sides_.end(),
             [](const Side& s, const Side& t) { return s.old_side < t.old_side; });
   for (const Side& side : sides_) {
-    const auto facing = std::lower_bound(
-        sides_.begin(), sides_.end(), side.beyond,
-        [](const Side& s, HalfEdgeId h) { return s.old_side < h; });
+    const auto facing =
+        std::lower_bound(sides_.begin(), sides_.end(), side.beyond,
+                         [](const Side& s, HalfEdgeId h) { return s.old_side < h; });
     const bool is_facing = facing != sides_.end() && facing->old_side == side.beyond;
     walls_[side.new_side] = side.is_wall;
     mesh_.glue(side.new_side, is_facing ? facing->new_side : side.beyond);

@@ -1,5 +1,5 @@
-// The constrained Delaunay triangulation: given edges are there, and the rest is as Delaunay as they
-// let it be.
+// The constrained Delaunay triangulation: given edges are there, and the rest is as Delaunay as
+// they let it be.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ struct CrossingEdges {
 /// splits are as even as in quicksort.
 ///
 /// Returns the pairs of edges that cross, sorted, none twice. If there are any, the later edge of a
-/// pair is not inserted between the vertices around the crossing, and pairs of two such edges may be
-/// missing. REQUIRES delaunay.walls to be empty. The same bytes on any number of threads.
+/// pair is not inserted between the vertices around the crossing, and pairs of two such edges may
+/// be missing. REQUIRES delaunay.walls to be empty. The same bytes on any number of threads.
 std::vector<CrossingEdges> insert_walls(Delaunay& delaunay,
                                         std::span<const std::array<VertexId, 2>> edges);
 

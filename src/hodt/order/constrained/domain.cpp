@@ -217,8 +217,7 @@ std::size_t Restrictor::renumber() && {
 }  // namespace
 
 Restriction restrict_to_domain(Delaunay& delaunay,
-                               std::span<const std::array<VertexId, 2>> boundary,
-                               double max_edge) {
+                               std::span<const std::array<VertexId, 2>> boundary, double max_edge) {
   if (boundary.empty() && std::isinf(max_edge)) return {};
   Restrictor restrictor(delaunay);
   Restriction restriction;

@@ -59,8 +59,7 @@ void Reachable::visit(HalfEdgeId from) {
     if (!circle_->contains(graph_.point(v))) return;
     inside_.push_back(v);
     reached_.push_back(from);
-  } else if (graph_.is_parted(v) &&
-             std::find(inside_.begin(), inside_.end(), v) != inside_.end()) {
+  } else if (graph_.is_parted(v) && std::find(inside_.begin(), inside_.end(), v) != inside_.end()) {
     reached_.push_back(from);  // perhaps from another side
   }
 }
@@ -68,8 +67,7 @@ void Reachable::visit(HalfEdgeId from) {
 /// Visits the neighbours on this side of the walls at the origin.
 void Reachable::go_around(HalfEdgeId from) {
   const bool is_parted = graph_.is_parted(graph_.mesh.origin(from));
-  if (is_parted &&
-      std::find(gone_around_.begin(), gone_around_.end(), from) != gone_around_.end())
+  if (is_parted && std::find(gone_around_.begin(), gone_around_.end(), from) != gone_around_.end())
     return;
   for_each_reached_around(
       graph_, from,

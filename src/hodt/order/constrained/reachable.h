@@ -15,10 +15,10 @@ namespace hodt {
 /// a wall. That finds all that is reached by any path in the circle which crosses no wall:
 ///
 /// Such a path passes from triangle to triangle, and can be one that crosses no edge twice. If both
-/// ends of an edge that it crosses were outside, no vertex would be reached on one of its sides: the
-/// circle's part there would be inside that of the triangle of this side, as two circles meet twice
-/// at most. But on both sides there is something, a corner of the triangle to begin with or what is
-/// reached in the end. So one end of each edge is inside, and is reached, too.
+/// ends of an edge that it crosses were outside, no vertex would be reached on one of its sides:
+/// the circle's part there would be inside that of the triangle of this side, as two circles meet
+/// twice at most. But on both sides there is something, a corner of the triangle to begin with or
+/// what is reached in the end. So one end of each edge is inside, and is reached, too.
 ///
 /// Holds scratch memory for one thread.
 class Reachable {

@@ -15,13 +15,13 @@ namespace hodt {
 /// Walks outward from u, from triangle to triangle, with the window of directions still in sight; a
 /// wall ends it. Takes up points by what is reached from the ends of the edges that it crosses:
 ///
-/// Of an edge uv of useful order k, let A be the circle through u, v and the first point on the left
-/// (Lemma 4). The edges that uv crosses have their right ends inside A: their left ends are not, and
-/// no triangle crosses an edge of the constrained Delaunay triangulation with both ends outside its
-/// circle (see reachable.h). What is right of the window and inside the circle through u and the
-/// ends of a crossed edge is inside A too (docs/design/useful-edges.md), and if a chain of edges
-/// leads there from the edge's right end through points of that kind, it is reached, as A holds all
-/// of the chain. So more than k such points on a side end the walk.
+/// Of an edge uv of useful order k, let A be the circle through u, v and the first point on the
+/// left (Lemma 4). The edges that uv crosses have their right ends inside A: their left ends are
+/// not, and no triangle crosses an edge of the constrained Delaunay triangulation with both ends
+/// outside its circle (see reachable.h). What is right of the window and inside the circle through
+/// u and the ends of a crossed edge is inside A too (docs/design/useful-edges.md), and if a chain
+/// of edges leads there from the edge's right end through points of that kind, it is reached, as A
+/// holds all of the chain. So more than k such points on a side end the walk.
 ///
 /// Holds scratch memory for one thread.
 class WallWalk {

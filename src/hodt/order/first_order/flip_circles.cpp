@@ -94,9 +94,9 @@ void EdgeBlock::begin(const DelaunayGraph& graph, std::span<const HalfEdgeId> ed
   }
 }
 
-/// One step of each, unless its last apex would be met or the boundary or a wall is in the way: side by side,
-/// as one step has to wait for the one before. How long they are is a matter of chance: no
-/// branches.
+/// One step of each, unless its last apex would be met or the boundary or a wall is in the way:
+/// side by side, as one step has to wait for the one before. How long they are is a matter of
+/// chance: no branches.
 template <bool kWalls>
 void EdgeBlock::step(const DelaunayGraph& graph, Walk& walk, int place, std::size_t size) {
   const TriangleMesh& mesh = graph.mesh;

@@ -53,7 +53,8 @@ void TriangleBlock::gather(const DelaunayGraph& graph, std::size_t first, std::s
     for (std::size_t e = 0; e < 3; ++e) {
       prefetch(&mesh.origins()[std::min(ahead[e], last)]);
       const HalfEdgeId h(static_cast<Index>(3 * (first + i) + e)), twin = mesh.twin(h);
-      // At the boundary or a wall, the apex itself: it is on the circles, and leaves them undecided.
+      // At the boundary or a wall, the apex itself: it is on the circles, and leaves them
+      // undecided.
       const bool is_open = twin.valid() && !(kWalls && graph.walls[h]);
       const VertexId across = mesh.apex(is_open ? twin : h);
       vertex_[e][i] = mesh.origin(h);
