@@ -1,4 +1,5 @@
 // What is reached around a vertex without crossing a wall.
+// Tested by tests/order/constrained_order_test.cpp.
 #pragma once
 
 #include "hodt/order/delaunay_graph.h"

@@ -1,4 +1,5 @@
 // The part of a constrained Delaunay triangulation that is wanted.
+// Tested by tests/order/constrained_order_test.cpp.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
 // The points inside a circle that can be reached without crossing a wall.
+// Tested by tests/order/constrained_order_test.cpp.
 #pragma once
 
 #include <span>
