@@ -1,6 +1,6 @@
 // The useful edges of a vertex where there are walls: a walk over the triangles that segments from
-// Tested by tests/order/constrained_order_test.cpp.
 // it can cross.
+// Tested by tests/order/constrained_order_test.cpp.
 #pragma once
 
 #include <vector>
