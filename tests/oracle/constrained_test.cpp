@@ -8,15 +8,14 @@
 #include <cstdlib>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "constraint_shapes.h"
 #include "families.h"
 #include <gtest/gtest.h>
 
@@ -25,10 +24,17 @@ namespace {
 using oracle::Catalogue;
 using oracle::Constrained;
 using oracle::ConstrainedCatalogue;
+using oracle::describe;
+using oracle::Domain;
 using oracle::Edge;
+using oracle::families_for_constraints;
+using oracle::fits;
 using oracle::Instance;
 using oracle::kUnrestricted;
 using oracle::Points;
+using oracle::random_domain;
+using oracle::random_edges;
+using oracle::ring_within;
 using oracle::Rings;
 using oracle::Triangle;
 using oracle::Triangles;
@@ -37,121 +43,10 @@ bool slow() {
   return std::getenv("HODT_SLOW") != nullptr;
 }
 
-std::string describe(const Constrained& constrained) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "points";
-  for (const auto& [x, y] : constrained.instance().points()) text << " (" << x << ", " << y << ')';
-  text << " constraints";
-  for (const Edge& e : constrained.edges()) text << ' ' << e[0] << '-' << e[1];
-  return text.str();
-}
-
-// ---- Constraints of every shape -------------------------------------------------------------
-
-bool fits(const Instance& instance, const std::vector<Edge>& edges, int u, int v) {
-  return u != v && instance.is_segment_free(u, v) &&
-         std::ranges::none_of(
-             edges, [&](const Edge& e) { return instance.segments_cross(e[0], e[1], u, v); });
-}
-
-/// A path that turns at random and may come back to where it has been.
-std::vector<Edge> random_path(const Instance& instance, families::Random& random) {
-  std::vector<Edge> edges;
-  int at = random.integer(0, instance.size() - 1);
-  for (int tries = random.integer(2, 3 * instance.size()); tries > 0; --tries) {
-    const int next = random.integer(0, instance.size() - 1);
-    if (!fits(instance, edges, at, next)) continue;
-    edges.push_back({at, next});
-    at = next;
-  }
-  return edges;
-}
-
-std::vector<Edge> random_star(const Instance& instance, families::Random& random) {
-  std::vector<Edge> edges;
-  const int hub = random.integer(0, instance.size() - 1);
-  for (int v = 0; v < instance.size(); ++v) {
-    if (random.integer(0, 2) > 0 && fits(instance, edges, hub, v)) edges.push_back({hub, v});
-  }
-  return edges;
-}
-
-/// The boundary of a random set of triangles of a random triangulation: outlines, holes, islands
-/// and rings that touch.
-struct Domain {
-  Rings rings;
-  std::vector<Edge> edges;
-  Triangles inside, outside;
-};
-
-Domain random_domain(const Instance& instance, families::Random& random) {
-  const Constrained some(instance, oracle::random_constraints(instance, 99, random.bits()));
-  Domain domain;
-  std::multimap<int, int> next;
-  const auto toggle = [&](int u, int v) {
-    const auto [from, to] = next.equal_range(v);
-    const auto twin = std::find_if(from, to, [&](const auto& e) { return e.second == u; });
-    if (twin == to) {
-      next.insert({u, v});
-    } else {
-      next.erase(twin);
-    }
-  };
-  const int share = random.integer(1, 3);
-  for (const Triangle& t : some.some_triangulation()) {
-    const bool is_inside = random.integer(0, 3) <= share;
-    (is_inside ? domain.inside : domain.outside).push_back(t);
-    if (!is_inside) continue;
-    for (int i = 0; i < 3; ++i) toggle(t[i], t[(i + 1) % 3]);
-  }
-  for (const auto& [u, v] : next) domain.edges.push_back({u, v});
-  while (!next.empty()) {
-    std::vector<int> ring;
-    for (auto e = next.begin(); e != next.end(); e = next.find(ring.back())) {
-      ring.push_back(e->second);
-      next.erase(e);
-    }
-    domain.rings.push_back(ring);
-  }
-  return domain;
-}
-
-std::vector<Edge> random_edges(const Instance& instance, std::uint64_t seed) {
-  families::Random random(seed);
-  switch (random.integer(0, 3)) {
-    case 0:
-      return random_path(instance, random);
-    case 1:
-      return random_star(instance, random);
-    case 2:
-      return random_domain(instance, random).edges;
-    default:
-      return oracle::random_constraints(instance, random.integer(1, instance.size() - 2), seed);
-  }
-}
-
-/// Points on one circle, far inside a triangle: only so can a path go around a point on a circle.
-Points ring_within(int n, std::uint64_t seed) {
-  families::Random random(seed);
-  Points points = families::ring(n - 3, seed, 25, random.integer(0, 3) == 0);
-  for (const auto& [x, y] : {std::pair{-20, -21}, {23, -19}, {2, 24}}) {
-    points.emplace_back(x + random.integer(-4, 4), y + random.integer(-4, 4));
-  }
-  return points;
-}
-
-std::vector<families::Family> all_families() {
-  std::vector<families::Family> all = families::all();
-  all.push_back(
-      {"ring_within", [](int n, std::uint64_t seed) { return ring_within(std::max(n, 6), seed); }});
-  return all;
-}
-
 /// Calls check(instance, seed) for points of every family.
 void for_each_point_set(int smallest, int largest, int seeds,
                         const std::function<void(const Instance&, std::uint64_t)>& check) {
-  for (const auto& family : all_families()) {
+  for (const auto& family : families_for_constraints()) {
     for (int n = smallest; n <= largest; ++n) {
       for (int seed = 0; seed < (slow() ? 20 : 1) * seeds; ++seed) {
         check(Instance(family.make(n, seed)), 1000 * n + seed);
@@ -656,7 +551,7 @@ TEST(Domains, facts) {
 }
 
 TEST(Domains, optima_agree_with_counting_one_by_one) {
-  for (const auto& family : all_families()) {
+  for (const auto& family : families_for_constraints()) {
     const Points points = family.make(7, 17);
     Instance instance(points);
     families::Random random(5);

@@ -34,6 +34,8 @@ class RoundMarks {
     return true;
   }
 
+  bool is_marked(Index i) const { return marks_[i] == round_; }
+
   /// For loops that keep them in registers: i is marked if marks()[i] == round().
   Round* marks() { return marks_.data(); }
   Round round() const { return round_; }

@@ -66,6 +66,12 @@ class DelaunayGraph {
   /// Whether walls part the triangles around v: if so, what is reached at v need not be all of
   /// them.
   bool is_parted(VertexId v) const { return has_walls() && wall_ends_[v] > 1; }
+  /// Where a domain touches itself, several vertices are at one place, each for a side of its own:
+  /// the first of them. Counts take them for one.
+  VertexId place_of(VertexId v) const {
+    while (v > 0 && xy[v - 1] == xy[v]) v = VertexId(v - 1);
+    return v;
+  }
 
   /// Stores every vertex's neighbours side by side, 28 bytes a point: worth it before questions
   /// about most of the vertices. Finds hubs. Changes no answer.

@@ -15,6 +15,7 @@ Index Reachable::count(VertexId a, VertexId b, VertexId c, Index limit) {
   reached_.clear();
   gone_around_.clear();
   seen_.begin_round();
+  counted_.begin_round();
   // The three are on the circle: to ask would send each to exact arithmetic, for a known answer.
   for (const VertexId v : {a, b, c}) seen_.mark(v);
   // From a corner without very many neighbours, if there is one.
@@ -57,9 +58,9 @@ void Reachable::visit(HalfEdgeId from) {
   const VertexId v = graph_.mesh.origin(from);
   if (seen_.mark(v)) {
     if (!circle_->contains(graph_.point(v))) return;
-    inside_.push_back(v);
+    if (counted_.mark(graph_.place_of(v))) inside_.push_back(v);
     reached_.push_back(from);
-  } else if (graph_.is_parted(v) && std::find(inside_.begin(), inside_.end(), v) != inside_.end()) {
+  } else if (graph_.is_parted(v) && counted_.is_marked(graph_.place_of(v))) {
     reached_.push_back(from);  // perhaps from another side
   }
 }

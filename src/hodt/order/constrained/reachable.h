@@ -24,7 +24,8 @@ namespace hodt {
 /// Holds scratch memory for one thread.
 class Reachable {
  public:
-  explicit Reachable(const DelaunayGraph& graph) : graph_(graph), seen_(graph.xy.size()) {}
+  explicit Reachable(const DelaunayGraph& graph)
+      : graph_(graph), seen_(graph.xy.size()), counted_(graph.xy.size()) {}
 
   /// The number of vertices reached inside the circle through a, b and c (counter-clockwise) from
   /// the triangle abc, or limit + 1 if there are more than `limit`, and if the triangle is outside
@@ -42,6 +43,7 @@ class Reachable {
   const DelaunayGraph& graph_;
   const Circle* circle_ = nullptr;
   RoundMarks seen_;
+  RoundMarks counted_;  // places
   std::vector<VertexId> inside_;
   /// A vertex inside, as a half-edge that leaves it in a triangle which is reached.
   std::vector<HalfEdgeId> reached_;

@@ -33,7 +33,12 @@ bool WallWalk::find_next() {
   return candidate_.valid();
 }
 
+/// An edge can dangle between crossed triangles on both of its sides: then the crossed edges come
+/// back to its other end.
 WallWalk::Chain WallWalk::longer(const Chain& chain, VertexId v) {
+  const VertexId place = graph_.place_of(v);
+  for (Index i = chain.last; i != kNone; i = links_[i].before)
+    if (graph_.place_of(links_[i].vertex) == place) return chain;
   links_.push_back({v, chain.last});
   return {static_cast<Index>(links_.size() - 1), chain.size + 1};
 }
@@ -69,15 +74,16 @@ bool WallWalk::holds_more(const Chain& chain, HalfEdgeId from, const Circle& cir
   Index count = chain.size;
   if (count > limit_) return true;
   seen_.begin_round();
-  seen_.mark(u_);
-  for (Index i = chain.last; i != kNone; i = links_[i].before) seen_.mark(links_[i].vertex);
+  seen_.mark(graph_.place_of(u_));
+  for (Index i = chain.last; i != kNone; i = links_[i].before)
+    seen_.mark(graph_.place_of(links_[i].vertex));
   reached_.assign(1, from);
   for (std::size_t i = 0; i < reached_.size() && count <= limit_; ++i)
     for_each_reached_around(
         graph_, reached_[i], [](HalfEdgeId) {},
         [&](HalfEdgeId h) {
           const VertexId v = graph_.mesh.origin(h);
-          if (!seen_.mark(v)) return;
+          if (!seen_.mark(graph_.place_of(v))) return;
           const Point& p = graph_.point(v);
           if (!is_beyond(p) || !circle.contains(p)) return;
           ++count;
