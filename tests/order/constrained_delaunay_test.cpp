@@ -1,4 +1,4 @@
-// Walls in the Delaunay triangulation, against what defines it and against CGAL's.
+// Walls in the Delaunay triangulation, against what defines it.
 #include "hodt/order/constrained/constrained_delaunay.h"
 
 #include <algorithm>
@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "../oracle/families.h"
-#include "../support/cgal_triangles.h"
 #include "../support/connectivity_problem.h"
 #include "../support/convert.h"
 #include "../support/shapes.h"
-#include "../support/triangulation_problems.h"
+#include "../support/walls.h"
 #include <gtest/gtest.h>
 
 #include "hodt/geometry/predicates.h"
@@ -21,75 +20,7 @@
 namespace hodt {
 namespace {
 
-using Edges = std::vector<std::array<VertexId, 2>>;
-
-bool is_between(const Point& a, const Point& b, const Point& p) {
-  const bool first = lexicographically_less(a, p) && lexicographically_less(p, b);
-  const bool second = lexicographically_less(b, p) && lexicographically_less(p, a);
-  return orient(a, b, p) == 0 && (first || second);
-}
-
-/// The edge as the pieces between the vertices on it.
-std::set<std::pair<Index, Index>> pieces_of(std::span<const Point> xy, const Edges& edges) {
-  std::set<std::pair<Index, Index>> pieces;
-  for (const auto& [u, v] : edges) {
-    if (u == v) continue;
-    std::vector<Index> on{u, v};
-    for (Index p = 0; p < xy.size(); ++p)
-      if (is_between(xy[u], xy[v], xy[p])) on.push_back(p);
-    std::sort(on.begin(), on.end(),
-              [&](Index p, Index q) { return lexicographically_less(xy[p], xy[q]); });
-    for (std::size_t i = 1; i < on.size(); ++i) pieces.insert(std::minmax(on[i - 1], on[i]));
-  }
-  return pieces;
-}
-
-/// Where they meet is no vertex.
-bool is_crossed(std::span<const Point> xy, const std::array<VertexId, 2>& e,
-                const std::array<VertexId, 2>& f) {
-  const Point &a = xy[e[0]], &b = xy[e[1]], &p = xy[f[0]], &q = xy[f[1]];
-  return orient(a, b, p) * orient(a, b, q) < 0 && orient(p, q, a) * orient(p, q, b) < 0 &&
-         std::none_of(xy.begin(), xy.end(),
-                      [&](const Point& v) { return is_between(a, b, v) && is_between(p, q, v); });
-}
-
-/// Takes of random edges those that cross none that was taken before.
-Edges random_edges(std::span<const Point> xy, std::size_t count, double reach, std::uint64_t seed) {
-  families::Random random(seed);
-  const auto n = static_cast<int>(xy.size());
-  Edges edges;
-  for (std::size_t attempt = 0; attempt < 20 * count && edges.size() < count; ++attempt) {
-    // Often near each other along the curve.
-    const int a = random.integer(0, n - 1), most = attempt % 2 == 0 ? 200 : n;
-    const int b = (a + random.integer(0, most)) % n;
-    const std::array<VertexId, 2> edge{VertexId{Index(a)}, VertexId{Index(b)}};
-    const double dx = xy[edge[0]].x - xy[edge[1]].x, dy = xy[edge[0]].y - xy[edge[1]].y;
-    if (dx * dx + dy * dy > reach * reach) continue;
-    if (std::none_of(edges.begin(), edges.end(),
-                     [&](const auto& other) { return is_crossed(xy, edge, other); }))
-      edges.push_back(edge);
-  }
-  return edges;
-}
-
-/// A triangulation with the pieces of the edges as walls, whose other edges are Delaunay, each by
-/// itself: that is the constrained Delaunay triangulation.
-void expect_constrained_delaunay(const Delaunay& d, const Edges& edges) {
-  const std::span<const Point> xy = d.vertices.xy;
-  ASSERT_EQ(connectivity_problem(d.mesh), "");
-  ASSERT_EQ(embedding_problem(xy, d.mesh), "");
-  std::set<std::pair<Index, Index>> walls;
-  for (Index i = 0; i < d.mesh.halfedge_count(); ++i) {
-    const HalfEdgeId h(i), twin = d.mesh.twin(h);
-    if (d.walls[h]) walls.insert(std::minmax<Index>(d.mesh.origin(h), d.mesh.target(h)));
-    if (!twin.valid()) continue;
-    ASSERT_EQ(d.walls[h], d.walls[twin]);
-    if (d.walls[h]) continue;
-    ASSERT_FALSE(in_circle(xy[d.mesh.origin(h)], xy[d.mesh.target(h)], xy[d.mesh.apex(h)],
-                           xy[d.mesh.apex(twin)]));
-  }
-  ASSERT_EQ(walls, pieces_of(xy, edges));
-}
+using namespace support::walls;
 
 class Walls : public testing::TestWithParam<families::Family> {};
 
@@ -107,24 +38,6 @@ TEST_P(Walls, has_the_edges_and_is_delaunay_apart_from_them) {
 
 INSTANTIATE_TEST_SUITE_P(families, Walls, testing::ValuesIn(families::all()),
                          [](const auto& info) { return info.param.name; });
-
-void expect_as_cgal(const support::Points& points, std::size_t count, double reach) {
-  Delaunay d = delaunay({points, {}});
-  const Edges edges = random_edges(d.vertices.xy, count, reach, 7);
-  ASSERT_GT(edges.size(), count / 5);
-  ASSERT_TRUE(insert_walls(d, edges).empty());
-  std::vector<std::pair<int, int>> pairs;
-  for (const auto& [a, b] : edges)
-    if (a != b) pairs.emplace_back(a, b);
-  ASSERT_EQ(support::triangles_of(d.mesh), support::cgal_constrained(d.vertices.xy, pairs));
-}
-
-TEST(ConstrainedDelaunay, is_as_cgals_off_ties) {
-  expect_as_cgal(support::uniform(5000, 1), 1000, 0.02);
-  expect_as_cgal(support::uniform(5000, 2), 100, 2);
-  expect_as_cgal(support::clustered(5000, 3), 1000, 0.05);
-  expect_as_cgal(support::noisy_lattice(70, 70, 1e-6, 4), 1000, 12);
-}
 
 /// One edge across a lattice, past hundreds of vertices or through them.
 TEST(ConstrainedDelaunay, has_long_edges) {

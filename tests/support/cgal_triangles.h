@@ -48,7 +48,8 @@ inline oracle::Triangles cgal_constrained(std::span<const hodt::Point> points,
   CgalConstrained triangulation;
   std::vector<CgalConstrained::Vertex_handle> handles;
   for (const hodt::Point& p : points) {
-    handles.push_back(triangulation.insert(CgalKernel::Point_2(p.x, p.y)));
+    const auto near = handles.empty() ? CgalConstrained::Face_handle() : handles.back()->face();
+    handles.push_back(triangulation.insert(CgalKernel::Point_2(p.x, p.y), near));
     handles.back()->info() = static_cast<int>(handles.size()) - 1;
   }
   for (const auto& [a, b] : edges) triangulation.insert_constraint(handles[a], handles[b]);

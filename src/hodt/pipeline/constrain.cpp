@@ -71,8 +71,9 @@ ConstraintReport constrain(Delaunay& delaunay, const PointSet& points,
   report.triangles_too_long = restriction.too_long;
   report.unused_points = restriction.unused;
   for (Index i = 0; i < delaunay.walls.size(); ++i) {
-    const HalfEdgeId h(i), twin = delaunay.mesh.twin(h);
-    report.walls += delaunay.walls[h] && (!twin.valid() || h < twin);
+    const HalfEdgeId h(i);
+    if (delaunay.walls[h])
+      report.walls += delaunay.mesh.is_boundary(h) || h < delaunay.mesh.twin(h);
   }
   return report;
 }

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "hodt/base/prefetch.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/mesh/find_outgoing.h"
 
 namespace hodt {
 
 namespace {
+
+/// So many edges before its turn an edge is prepared.
+constexpr std::size_t kAhead = 8;
 
 /// One side of a segment, while the triangles that it crosses make way.
 struct Chain {
@@ -50,6 +53,14 @@ class Inserter {
         outgoing_(outgoing_halfedges(delaunay.mesh)) {}
 
   void insert(Index edge, VertexId from, VertexId to);
+  /// Asks memory for what insert() needs at its first end.
+  void prepare(VertexId v) const {
+    const HalfEdgeId h = outgoing_[v];
+    prefetch(&mesh_.origins()[h]);
+    prefetch(&mesh_.twins()[h]);
+    prefetch(&walls_[h]);
+    prefetch(&xy_[v]);
+  }
   /// The pairs of edges, the later of which met a wall of the earlier.
   std::vector<CrossingEdges> crossings() &&;
 
@@ -267,6 +278,7 @@ void Inserter::keep_outgoing_valid(TriangleId t) {
 // ---- Edges that cross. ----
 
 std::vector<CrossingEdges> Inserter::crossings() && {
+  if (met_.empty()) return {};
   // Of edges that overlap, the one that made the wall.
   std::sort(made_.begin(), made_.end());
   std::vector<CrossingEdges> crossings;
@@ -281,13 +293,14 @@ std::vector<CrossingEdges> Inserter::crossings() && {
 
 /// By their first ends, along the curve that the vertices are numbered by: so what is near in the
 /// plane is done at about the same time.
-std::vector<Index> along_the_curve(std::span<const std::array<VertexId, 2>> edges) {
-  std::vector<Index> order(edges.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) {
-    return std::minmax(edges[i][0], edges[i][1]) < std::minmax(edges[j][0], edges[j][1]);
+std::vector<Wall> along_the_curve(std::span<const std::array<VertexId, 2>> edges) {
+  std::vector<Wall> sorted;
+  sorted.reserve(edges.size());
+  for (Index i = 0; i < edges.size(); ++i) sorted.emplace_back(edges[i][0], edges[i][1], i);
+  std::sort(sorted.begin(), sorted.end(), [](const Wall& e, const Wall& f) {
+    return std::tie(e.a, e.b, e.edge) < std::tie(f.a, f.b, f.edge);
   });
-  return order;
+  return sorted;
 }
 
 }  // namespace
@@ -296,7 +309,11 @@ std::vector<CrossingEdges> insert_walls(Delaunay& delaunay,
                                         std::span<const std::array<VertexId, 2>> edges) {
   delaunay.walls = Buffer<bool>(delaunay.mesh.halfedge_count(), false);
   Inserter inserter(delaunay);
-  for (const Index i : along_the_curve(edges)) inserter.insert(i, edges[i][0], edges[i][1]);
+  const std::vector<Wall> sorted = along_the_curve(edges);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i + kAhead < sorted.size()) inserter.prepare(VertexId(sorted[i + kAhead].a));
+    inserter.insert(sorted[i].edge, VertexId(sorted[i].a), VertexId(sorted[i].b));
+  }
   return std::move(inserter).crossings();
 }
 
