@@ -57,7 +57,8 @@ struct Question {
 };
 
 double length(const Instance& instance, const Edge& e) {
-  const auto& [ax, ay] = instance.points()[e[0]], &[ bx, by ] = instance.points()[e[1]];
+  const auto& [ax, ay] = instance.points()[e[0]];
+  const auto& [bx, by] = instance.points()[e[1]];
   return std::hypot(ax - bx, ay - by);
 }
 
@@ -324,7 +325,7 @@ class Values {
 
 // ---- One run ----
 
-struct Run {
+struct Job {
   Objective objective;
   Method method;
   int k;
@@ -385,7 +386,7 @@ std::string why_not_mesh(const Known& known, const ConstrainedCatalogue& catalog
 
 std::string why_not_value(const Known& known, const ConstrainedCatalogue& catalogue,
                           const hodt::TriangulateResult& result, const Triangles& triangles,
-                          const Run& run) {
+                          const Job& run) {
   if (run.objective == Objective::none) return result.report.value ? "a value of none" : "";
   if (!result.report.value) return "no value";
   const hodt::Value& v = *result.report.value;
@@ -414,7 +415,7 @@ std::string why_not_value(const Known& known, const ConstrainedCatalogue& catalo
 
 /// All that is said of a result, on one thread and on two.
 std::string why_wrong(const Known& known, const ConstrainedCatalogue& catalogue,
-                      const hodt::Constraints& constraints, const Run& run) {
+                      const hodt::Constraints& constraints, const Job& run) {
   const Instance& instance = known.given.instance();
   const hodt::TriangulateOptions options{
       .order = hodt::Index(run.k), .objective = run.objective, .method = run.method};
@@ -468,9 +469,9 @@ bool is_tame(const families::Family& family) {
   return tame.contains(family.name);
 }
 
-Run random_run(const families::Family& family, int n, families::Random& random) {
+Job random_run(const families::Family& family, int n, families::Random& random) {
   constexpr std::array kMethods{Method::automatic, Method::flip, Method::exact, Method::greedy};
-  Run run{Objective::none, kMethods[std::size_t(random.integer(0, 2))], random.integer(0, 5)};
+  Job run{Objective::none, kMethods[std::size_t(random.integer(0, 2))], random.integer(0, 5)};
   if (run.k == 5) run.k = random.integer(0, 1) ? n : 1000000;
   const int what = random.integer(0, is_tame(family) ? 22 : 4);
   const auto direction = Direction(random.integer(0, 1));
@@ -508,7 +509,7 @@ TEST_P(ConstrainedSmall, every_objective_is_as_the_definitions_say) {
       }
       const ConstrainedCatalogue catalogue(known.constrained, known.bounded.rings);
       for (int i = 0; i < kRuns; ++i) {
-        const Run run = random_run(GetParam(), instance.size(), random);
+        const Job run = random_run(GetParam(), instance.size(), random);
         ASSERT_EQ(why_wrong(known, catalogue, constraints, run), "")
             << run.text() << ' ' << describe(instance, constraints);
       }
