@@ -44,7 +44,9 @@ struct CgalInput {
 };
 
 hodt::Constraints constraints_of(const Set& set) {
-  return {.edges = set.edges, .boundary = {}};
+  hodt::Constraints constraints;
+  constraints.edges = set.edges;
+  return constraints;
 }
 
 hodt::Delaunay constrained(const Set& set) {
