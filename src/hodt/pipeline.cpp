@@ -88,8 +88,8 @@ PointSet kept_points(const PointSet& points, const OutputNumbering& numbering) {
   return kept;
 }
 
-ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices,
-                        const PointSet& points, const Report& report) {
+ExtremaCount extrema_of(const TriangleMesh& mesh, const VertexSet& vertices, const PointSet& points,
+                        const Report& report) {
   if (report.constraints.triangles_outside + report.constraints.triangles_too_long == 0)
     return count_extrema(vertices.xy, vertices.z, mesh.origins());
   // Where a domain touches itself, two vertices are the same point.
@@ -121,10 +121,11 @@ Report::Given look_at_given(const DelaunayGraph& graph, const TriangleMesh& give
 
 /// Compares what was there already; takes it if it is better than what was found.
 void compare_with_given(const DelaunayGraph& graph, std::span<const double> z,
-                        const TriangleMesh& given, const TriangulateOptions& options,
-                        Optimum& optimum, Report& report) {
+                        const TriangleMesh& given, const MinimaToKeep& keep,
+                        const TriangulateOptions& options, Optimum& optimum, Report& report) {
   report.given->value = value_of(options.objective, given, graph.xy, z);
   Value& value = optimum.value;
+  if (keep.count > 0) return;  // it need not have the minima that are to stay
   if (report.given->order > options.order ||
       !is_better(options.objective, report.given->value, value.result))
     return;
@@ -148,9 +149,8 @@ void optimize_and_verify(Delaunay& delaunay, const MinimaToKeep& keep,
                               .keep = keep.is_kept,
                               .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
-  // It need not have the minima that are to stay.
-  if (report.given && keep.count == 0)
-    compare_with_given(graph, delaunay.vertices.z, *given, options, optimum, report);
+  if (report.given)
+    compare_with_given(graph, delaunay.vertices.z, *given, keep, options, optimum, report);
   verify_mesh(graph, optimum.change);
   report.order_histogram = order_histogram(graph, optimum.change);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
@@ -218,7 +218,8 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   if (options.objective != Objective::none) {
     optimize_and_verify(delaunay, prepared.keep, prepared.given, options, report);
     report.seconds.optimize += watch.lap();
-    if (points.has_heights()) report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
+    if (points.has_heights())
+      report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
   }
   if (options.measure_pits && points.has_heights())
     report.pits = pit_totals(delaunay.mesh, vertices.xy, vertices.z);
