@@ -34,16 +34,25 @@ std::vector<Joined::Origin> add_source(std::span<const Constraints::Edge> edges,
   return origins;
 }
 
-/// Edges between rows of the points, by the file that lists them.
+/// Edges between rows of the points, or vertices of a mesh, by the file that lists them.
 void add_edge_pairs(const std::string& file, const std::string& input, Joined& joined,
-                    std::size_t rows) {
-  const EdgePairs pairs = read_edge_pairs(file);
+                    std::size_t rows, std::span<const Index> numbers) {
+  EdgePairs pairs = read_edge_pairs(file);
+  const bool is_mesh = !numbers.empty();
+  if (is_mesh) rows = numbers.size();
   for (std::size_t i = 0; i < pairs.edges.size(); ++i)
-    for (const Index row : pairs.edges[i])
+    for (Index& row : pairs.edges[i]) {
       if (row >= rows)
-        throw InputError(fmt::format("{}: there is no row {} in {}, which has {}, counted from 0",
-                                     pairs.place(i), row, display_name(input),
-                                     counted(rows, "row")));
+        throw InputError(
+            fmt::format("{}: there is no {} {} in {}, which has {}, counted from 0", pairs.place(i),
+                        is_mesh ? "vertex" : "row", row, display_name(input),
+                        is_mesh ? counted(rows, "vertex", "vertices") : counted(rows, "row")));
+      if (!is_mesh) continue;
+      if (numbers[row] == kNone)
+        throw InputError(fmt::format("{}: vertex {} of {} is left out, as no triangle has it",
+                                     pairs.place(i), row, display_name(input)));
+      row = numbers[row];
+    }
   std::vector<Constraints::Edge>& edges = joined.constraints.edges;
   // After the other breaklines, before the boundary.
   const std::vector<Joined::Origin> origins = add_source(pairs.edges, pairs.source, "edge", joined);
@@ -113,7 +122,7 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
 }
 
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
-                        PointSet points) {
+                        PointSet points, std::span<const Index> numbers) {
   const bool keeps_lines = !arguments.keep_edges.empty() && is_geojson_name(arguments.keep_edges);
   std::vector<Lines> lines;
   for (const std::string& file : arguments.breaklines) lines.push_back(read_lines(file));
@@ -129,7 +138,7 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
   else
     joined = join_lines(points, lines, outline, options);
   if (!arguments.keep_edges.empty() && !keeps_lines)
-    add_edge_pairs(arguments.keep_edges, input, joined, rows);
+    add_edge_pairs(arguments.keep_edges, input, joined, rows, numbers);
   if (!arguments.max_edge.empty())
     joined.constraints.max_edge = parse_non_negative("--max-edge", "a length", arguments.max_edge);
   return joined;

@@ -2,6 +2,7 @@
 // Tested by tests/app/constraints_test.cpp.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,10 @@ void add_constraints(CLI::App& command, ConstraintArguments& arguments);
 void check_constraints(const ConstraintArguments& arguments, const std::string& input,
                        const std::string& output, const std::string& json);
 
-/// Reads the files and joins them with the points, whose file is `input`.
+/// Reads the files and joins them with the points, whose file is `input`. Of a mesh, `numbers` says
+/// which of the points each vertex is; kNone of those of no triangle.
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
-                        PointSet points);
+                        PointSet points, std::span<const Index> numbers);
 
 /// Adds what an existing mesh, read from `input`, has to keep to. Throws ParameterError for options
 /// that do not go with a mesh.

@@ -2,6 +2,7 @@
 // Tested by tests/app/command_test.cpp.
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/constraints_input.h"
 #include "app/duplicates_text.h"
@@ -41,16 +42,21 @@ struct Source {
   PointTable table;         ///< of a mesh, its points alone
   Constraints constraints;  ///< of a mesh, by which its outline and its holes stay
   std::size_t unused_vertices = 0;
+  std::vector<Index> numbers;  ///< of the mesh's vertices among the points
 };
 
 Source read_source(const PointsInput& input) {
-  if (!is_mesh_name(input.file)) return {false, read_input_points(input), {}, 0};
+  if (!is_mesh_name(input.file)) return {false, read_input_points(input), {}, 0, {}};
   if (!input.columns.empty())
     throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
                          " is a mesh");
-  GivenTin given = naming(input.file, [&] { return given_tin(read_tin(input.file)); });
-  return {
-      true, {std::move(given.points), {}, {}}, std::move(given.constraints), given.unused_vertices};
+  Tin tin = read_tin(input.file);
+  GivenTin given = naming(input.file, [&] { return given_tin(std::move(tin)); });
+  return {true,
+          {std::move(given.points), {}, {}},
+          std::move(given.constraints),
+          given.unused_vertices,
+          std::move(given.number)};
 }
 
 /// The same count of both triangulations, as JSON.
@@ -192,7 +198,7 @@ int run(const Arguments& arguments) {
     progress.report("reading");
     source = read_source(arguments.input);
     Joined joined = read_constraints(arguments.constraints, arguments.input.file,
-                                     std::move(source.table.points));
+                                     std::move(source.table.points), source.numbers);
     if (source.is_tin) add_given(source.constraints, arguments.input.file, joined);
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };

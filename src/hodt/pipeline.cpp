@@ -121,10 +121,11 @@ Report::Given look_at_given(const DelaunayGraph& graph, const TriangleMesh& give
 
 /// Compares what was there already; takes it if it is better than what was found.
 void compare_with_given(const DelaunayGraph& graph, std::span<const double> z,
-                        const TriangleMesh& given, const TriangulateOptions& options,
-                        Optimum& optimum, Report& report) {
+                        const TriangleMesh& given, const MinimaToKeep& keep,
+                        const TriangulateOptions& options, Optimum& optimum, Report& report) {
   report.given->value = value_of(options.objective, given, graph.xy, z);
   Value& value = optimum.value;
+  if (keep.count > 0) return;  // it need not have the minima that are to stay
   if (report.given->order > options.order ||
       !is_better(options.objective, report.given->value, value.result))
     return;
@@ -148,9 +149,8 @@ void optimize_and_verify(Delaunay& delaunay, const MinimaToKeep& keep,
                               .keep = keep.is_kept,
                               .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
-  // It need not have the minima that are to stay.
-  if (report.given && keep.count == 0)
-    compare_with_given(graph, delaunay.vertices.z, *given, options, optimum, report);
+  if (report.given)
+    compare_with_given(graph, delaunay.vertices.z, *given, keep, options, optimum, report);
   verify_mesh(graph, optimum.change);
   report.order_histogram = order_histogram(graph, optimum.change);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);

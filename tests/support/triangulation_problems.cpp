@@ -7,7 +7,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
-#include "hodt/mesh/boundary.h"
+#include "boundary.h"
 #include "hodt/order/circle_counter.h"
 
 // Why turns alone prove a triangulation. Every triangle is counter-clockwise, and the boundary is

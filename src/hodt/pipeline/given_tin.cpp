@@ -68,6 +68,7 @@ GivenTin given_tin(Tin tin) {
     for (Index& v : corners) v = number[v];
   given.constraints.boundary = boundary_edges(tin.triangles);
   given.constraints.triangles = std::move(tin.triangles);
+  given.number = std::move(number);
   return given;
 }
 

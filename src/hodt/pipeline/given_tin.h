@@ -3,7 +3,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "hodt/base/ids.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/geometry/constraints.h"
 #include "hodt/mesh/triangle_mesh.h"
@@ -19,6 +21,8 @@ struct GivenTin {
   PointSet points;
   Constraints constraints;
   std::size_t unused_vertices = 0;
+  /// Of every vertex of the mesh which of the points it is; kNone of unused ones.
+  std::vector<Index> number;
 };
 GivenTin given_tin(Tin tin);
 

@@ -108,13 +108,16 @@ void Joiner::snap_to_points() {
   const std::vector<VertexId> nearest = nearest_points(d.vertices.xy, vertices);
   std::size_t next = 0;
   for (Lines& source : joined_.sources)
-    for (Line& line : source.lines)
+    for (Line& line : source.lines) {
+      const bool is_ring = line.xy.size() > 1 && line.is_closed();
       for (Point& p : line.xy) {
         const Point& q = d.vertices.xy[nearest[next++]];
         if (p == q || std::hypot(p.x - q.x, p.y - q.y) > options_.snap) continue;
         p = q;
-        ++joined_.report.snapped;
+        // A ring's last vertex is its first one.
+        joined_.report.snapped += !is_ring || &p != &line.xy.back();
       }
+    }
 }
 
 /// Which places of lines have points.
@@ -141,8 +144,10 @@ void Joiner::take_vertices(bool with_heights) {
   JoinReport& report = joined_.report;
   for_each_line([&](const Lines&, const Line& line) {
     if (line.has_heights() != with_heights) return;
-    // A ring's last vertex is its first one.
-    const std::size_t size = line.xy.size() - (line.is_closed() && line.xy.size() > 1 ? 1 : 0);
+    // A ring's last vertex is its first one, unless it comes back at another height.
+    const bool is_ring = line.xy.size() > 1 && line.is_closed() &&
+                         (!with_heights || line.z.front() == line.z.back());
+    const std::size_t size = line.xy.size() - is_ring;
     for (std::size_t i = 0; i < size; ++i) {
       Place& at = places_.at(line.xy[i]);
       const bool gives_height = with_heights && has_heights();
@@ -248,15 +253,15 @@ Index Joiner::vertex_at_crossing(const CrossingEdges& crossing,
   const auto& [c, d] = edge(crossing.second);
   const Point p = crossing_place(points.xy[a], points.xy[b], points.xy[c], points.xy[d]);
   const auto [at, is_new] = rows.try_emplace(p, as_index(points.size()));
-  if (!is_new) return at->second;
   JoinReport& report = joined_.report;
-  ++report.crossings;
   if (has_heights()) {
     const double height = height_on(crossing.first, p), other = height_on(crossing.second, p);
     report.largest_crossing_difference =
         std::max(report.largest_crossing_difference, std::fabs(height - other));
-    points.z.push_back(height);
+    if (is_new) points.z.push_back(height);
   }
+  if (!is_new) return at->second;
+  ++report.crossings;
   points.xy.push_back(p);
   return at->second;
 }
@@ -288,12 +293,13 @@ bool Joiner::split_crossings_once(std::unordered_map<Point, Index, HashOfPoint>&
   for (Index e = 0; e < count; ++e) {
     const auto [a, b] = edge(e);
     const Point &from = points.xy[a], &to = points.xy[b];
-    const auto along = [&](Index row) {
-      return (points.xy[row].x - from.x) * (to.x - from.x) +
-             (points.xy[row].y - from.y) * (to.y - from.y);
-    };
-    std::stable_sort(on[e].begin(), on[e].end(),
-                     [&](Index p, Index q) { return along(p) < along(q); });
+    // By the coordinate that changes most: products of small differences would all be 0.
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    const bool by_x = std::fabs(dx) > std::fabs(dy), is_upward = (by_x ? dx : dy) > 0;
+    std::stable_sort(on[e].begin(), on[e].end(), [&](Index p, Index q) {
+      if (!is_upward) std::swap(p, q);
+      return by_x ? points.xy[p].x < points.xy[q].x : points.xy[p].y < points.xy[q].y;
+    });
     on[e].push_back(b);
     Index last = a;
     for (const Index next : on[e]) {

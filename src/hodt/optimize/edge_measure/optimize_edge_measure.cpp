@@ -17,6 +17,12 @@ namespace hodt {
 
 namespace {
 
+/// A single triangle has none, nor have triangles that only meet in corners.
+bool has_inner_edge(const TriangleMesh& mesh) {
+  return std::any_of(mesh.twins().begin(), mesh.twins().end(),
+                     [](Index twin) { return twin != kNone; });
+}
+
 class Optimizer {
  public:
   explicit Optimizer(const MeasureProblem& problem)
@@ -26,8 +32,7 @@ class Optimizer {
         values_(problem.objective, graph_.xy, problem.z) {}
 
   MeasuredSolution run() && {
-    // A single triangle has no inner edge.
-    if (delaunay_.triangle_count() == 1) return measured(values_, {}, 0, 0, 0);
+    if (!has_inner_edge(delaunay_)) return measured(values_, {}, 0, 0, 0);
     try {
       MeasuredSolution first_order = choose_diagonals();
       return problem_.order > 1 ? improve(first_order) : std::move(first_order);

@@ -12,7 +12,6 @@
 #include "hodt/base/prefetch.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/geometry/wide_real.h"
-#include "hodt/mesh/boundary.h"
 #include "hodt/optimize/measure/angle.h"
 #include "hodt/optimize/range.h"
 #include "hodt/optimize/rounded_sum.h"
@@ -589,14 +588,13 @@ TriangleValues::BeforeAfter TriangleValues::with_flips(const TriangleMesh& mesh,
 
 Total TriangleValues::half_boundary_length(const TriangleMesh& mesh) const {
   Total total(*this);
-  const HalfEdgeId start = first_on_boundary(mesh);
-  HalfEdgeId h = start;
-  do {
+  for (Index i = 0; i < mesh.halfedge_count(); ++i) {
+    const HalfEdgeId h(i);
+    if (!mesh.is_boundary(h)) continue;
     const Point &a = xy_[mesh.origin(h)], &b = xy_[mesh.target(h)];
     total.add(is_wide_ ? (distance(WidePoint{a}, WidePoint{b}) / 2).to_double()
                        : distance(a, b) / 2);
-    h = following_on_boundary(mesh, h);
-  } while (h != start);
+  }
   return total;
 }
 

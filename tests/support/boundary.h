@@ -1,5 +1,4 @@
 // The way around a mesh.
-// Tested by tests/order/voronoi_test.cpp.
 #pragma once
 
 #include <algorithm>
