@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "boundary.h"
 #include <fmt/format.h>
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
-#include "boundary.h"
 #include "hodt/order/circle_counter.h"
 
 // Why turns alone prove a triangulation. Every triangle is counter-clockwise, and the boundary is

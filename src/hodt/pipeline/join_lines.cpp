@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -45,6 +46,35 @@ void note(std::size_t& count, double& largest, double difference) {
   if (difference == 0) return;
   ++count;
   largest = std::max(largest, std::fabs(difference));
+}
+
+struct Box {
+  Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Point high{-low.x, -low.y};
+
+  void add(const Point& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  bool meets(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+           other.low.y <= high.y;
+  }
+};
+
+/// Lines that are all beside the points are of another coordinate system.
+void check_place(const PointSet& points, const Lines& source) {
+  Box around, lines;
+  for (const Point& p : points.xy) around.add(p);
+  for (const Line& line : source.lines)
+    for (const Point& p : line.xy) lines.add(p);
+  if (!points.xy.empty() && !source.lines.empty() && !around.meets(lines))
+    throw InputError(
+        fmt::format("{}: its lines, with x from {} to {} and y from {} to {}, are nowhere near the "
+                    "points, with "
+                    "x from {} to {} and y from {} to {}; are they of the same coordinate system?",
+                    source.source, lines.low.x, lines.high.x, lines.low.y, lines.high.y,
+                    around.low.x, around.high.x, around.low.y, around.high.y));
 }
 
 class Joiner {
@@ -88,6 +118,7 @@ Joined Joiner::join(std::span<const Lines> lines, const std::optional<Outline>& 
   joined_.sources.assign(lines.begin(), lines.end());
   has_outline_ = outline.has_value();
   if (outline) joined_.sources.push_back({outline->rings, outline->source, outline->part});
+  for (const Lines& source : joined_.sources) check_place(joined_.points, source);
   if (options_.snap > 0) snap_to_points();
   find_points();
   take_vertices(true);

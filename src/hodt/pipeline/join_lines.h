@@ -62,7 +62,8 @@ struct Joined {
 /// the Delaunay triangulation of the points and the vertices with heights. If the points have no
 /// heights, those of lines do not count.
 ///
-/// Throws InputError, naming the line and the vertex, if such a vertex is outside of that
+/// Throws InputError if all lines of a source are beside the points, so that they are of another
+/// coordinate system; naming the line and the vertex, if such a vertex is outside of that
 /// triangulation; and, with split_crossings, if after very many vertices lines still cross.
 Joined join_lines(const PointSet& points, std::span<const Lines> lines,
                   const std::optional<Outline>& outline, const JoinOptions& options = {});
