@@ -35,7 +35,7 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
 /// Reads the files and joins them with the points, whose file is `input`. Of a mesh, `numbers` says
 /// which of the points each vertex is; kNone of those of no triangle.
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
-                        PointSet points, std::span<const Index> numbers);
+                        PointSet points, std::span<const Index> numbers = {});
 
 /// Adds what an existing mesh, read from `input`, has to keep to. Throws ParameterError for options
 /// that do not go with a mesh.
