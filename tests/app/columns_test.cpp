@@ -105,8 +105,8 @@ TEST_F(ColumnsCommand, other_formats_are_called_by_name) {
     expect_refused(with(command, "grid.asc"), "grid.asc is a raster (ESRI ASCII grid)");
     // One that can be improved is no error, but this one holds nothing.
     const bool takes_meshes = std::string_view(command).starts_with("triangulate");
-    expect_refused(with(command, "mesh.ply"),
-                   takes_meshes ? "mesh.ply holds no triangle" : "mesh.ply is a mesh (PLY)");
+    expect_refused(with(command, "mesh.ply"), takes_meshes ? "mesh.ply has vertices without x and y"
+                                                           : "mesh.ply is a mesh (PLY)");
   }
 }
 

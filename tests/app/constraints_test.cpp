@@ -16,7 +16,7 @@ class ConstraintsCommand : public CommandTest {
       for (int x = 0; x < 4; ++x)
         table += std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(x + y) + "\n";
     put("points.csv", table);
-    put("road.geojson", line("[[0,0.5,7],[3,2.5,8]]"));
+    put("road.geojson", line("[[0,0.5,7],[2.5,1.75,8]]"));
     put("soft.geojson", line("[[0.5,0.5],[2.5,0.5]]"));
     put("cross.geojson", line("[[0.25,3],[2.75,0]]"));
     put("site.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[3,0],[3,3],[0,0]]]})");

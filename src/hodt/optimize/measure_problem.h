@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "hodt/base/deadline.h"
@@ -45,7 +46,9 @@ inline MeasuredSolution measured(const Aggregator& aggregator, MeshChange change
   if (!std::isfinite(delaunay) || !std::isfinite(result) || !std::isfinite(bound))
     throw_out_of_range(aggregator.objective());
   if (aggregator.better(result, bound))
-    throw std::logic_error("the result passes a bound that was proven for all");
+    throw std::logic_error(name_of(aggregator.objective()) + ": the result " +
+                           std::to_string(result) + " passes " + std::to_string(bound) +
+                           ", a bound that was proven for all");
   const double slack = aggregator.is_sum() ? 1e-9 : 0;
   const bool is_optimal =
       std::fabs(result - bound) <= slack * std::fmax(std::fabs(result), std::fabs(bound));

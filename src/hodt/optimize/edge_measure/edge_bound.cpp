@@ -41,6 +41,12 @@ bool are_in_range(std::span<const FaceTriangle> triangles) {
                      [](const FaceTriangle& t) { return std::isfinite(t.value); });
 }
 
+/// Whether no triangle has an edge that costs: each is alone in its part of a domain.
+bool cost_nothing(std::span<const FaceTriangle> triangles) {
+  return std::all_of(triangles.begin(), triangles.end(),
+                     [](const FaceTriangle& t) { return t.value == kNever; });
+}
+
 /// As much less for all triangles of a face, so that none costs less than nothing, and back. (Any
 /// triangulation of it has as many.)
 class Shift {
@@ -349,9 +355,11 @@ double Bound::solve(Aggregate aggregate, std::vector<FaceSolution>& solutions) {
   PerThread<PolygonOptimum> polygons([] { return PolygonOptimum(); });
   parallel_for(0, faces_.size(), 1, [&](std::size_t first, std::size_t last) {
     for (auto face = static_cast<Index>(first); face < last; ++face) {
-      if (aggregate == Aggregate::sum && !are_in_range(faces_.triangles(face))) {
+      // What is out of range is not bounded; what has no edge that costs decides nothing.
+      const std::span<const FaceTriangle> all = faces_.triangles(face);
+      if (aggregate == Aggregate::sum ? !are_in_range(all) : cost_nothing(all)) {
         solutions[face] = {};
-        bounds[face] = -std::numeric_limits<double>::infinity();
+        bounds[face] = kNever;
         continue;
       }
       const Shift shift(faces_.triangles(face), aggregate == Aggregate::sum);
