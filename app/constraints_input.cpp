@@ -78,6 +78,11 @@ bool has_edges(std::span<const std::array<Index, 3>> triangles,
   });
 }
 
+bool has_lines(const ConstraintArguments& arguments) {
+  return !arguments.breaklines.empty() || !arguments.outline.empty() ||
+         (!arguments.keep_edges.empty() && is_geojson_name(arguments.keep_edges));
+}
+
 }  // namespace
 
 void add_constraints(CLI::App& command, ConstraintArguments& arguments) {
@@ -111,6 +116,10 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
                        const std::string& output, const std::string& json) {
   parse_non_negative("--max-edge", "a length", arguments.max_edge);
   parse_non_negative("--snap", "a distance", arguments.snap);
+  if ((arguments.split_crossings || !arguments.snap.empty()) && !has_lines(arguments))
+    throw ParameterError(
+        fmt::format("{} is for lines, and there are none; add --breaklines or --outline",
+                    arguments.split_crossings ? "--split-crossings" : "--snap"));
   std::vector<std::string> files = arguments.breaklines;
   files.push_back(arguments.outline);
   files.push_back(arguments.keep_edges);
@@ -178,8 +187,10 @@ auto naming_lines(const std::string& input, const Joined& joined, const F& f) {
     return naming(input, run);
   } catch (const InputError&) {
     if (crossing.empty()) throw;
-    throw InputError(crossing +
-                     "; mend them, or add --split-crossings for a vertex at each crossing");
+    throw InputError(
+        crossing +
+        "; mend them, or add --split-crossings for a vertex where lines cross (not where "
+        "they cross edges to keep or the outline of a mesh)");
   }
 }
 
@@ -199,8 +210,11 @@ JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined
 }
 
 std::string constraints_text(const JoinReport& joined, const ConstraintReport& report, int indent) {
-  std::string text = fmt::format("{:<{}} {}, as {} of the triangulation\n", "constraints", indent,
-                                 counted(report.edges, "edge"), counted(report.walls, "edge"));
+  const std::string lines = report.edges == 0 ? "no lines"
+                                              : fmt::format("{} of lines, {} of the triangulation",
+                                                            counted(report.edges, "piece"),
+                                                            counted(report.walls, "edge"));
+  std::string text = fmt::format("{:<{}} {}\n", "constraints", indent, lines);
   const auto line = [&](std::string_view what) {
     text += fmt::format("{:<{}} {}\n", "", indent, what);
   };

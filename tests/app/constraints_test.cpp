@@ -1,5 +1,6 @@
 // Breaklines, outlines, edges that stay, and meshes to improve: the command. Covers
 // constraints_input.
+#include <sstream>
 #include <string>
 
 #include "command_fixture.h"
@@ -91,6 +92,30 @@ TEST_F(ConstraintsCommand, improves_a_mesh) {
   expect_refused("triangulate a.obj --columns x=1,y=2,z=3 -o c.obj", "a.obj is a mesh");
 }
 
+/// Edges to keep go by the mesh's own vertices, also if some of these are of no triangle.
+TEST_F(ConstraintsCommand, counts_vertices_of_a_mesh_as_the_file_does) {
+  put("mesh.obj", "v 9 9 0\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 2 3 4\nf 2 4 5\n");
+  put("other.csv", "u,v\n2,4\n");
+  const Outcome outcome = run(
+      "triangulate mesh.obj --keep-edges other.csv --objective none -o b.obj --json b.json && cat "
+      "b.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json("b.json")["constraints"]["edges_kept"], 5);
+  EXPECT_EQ(json("b.json")["input"]["unused_vertices"], 1);
+  EXPECT_NE(outcome.out.find("f "), std::string::npos);
+  // The vertices that are left are 1 to 4; 1 and 3 are not in one triangle.
+  std::istringstream lines(outcome.out);
+  int faces = 0;
+  for (std::string text; std::getline(lines, text);) {
+    if (!text.starts_with("f ")) continue;
+    ++faces;
+    EXPECT_TRUE(text.find('1') == std::string::npos || text.find('3') == std::string::npos) << text;
+  }
+  EXPECT_EQ(faces, 2);
+  put("unused.csv", "u,v\n0,1\n");
+  expect_refused("triangulate mesh.obj --keep-edges unused.csv -o c.obj", "unused.csv, line 2");
+}
+
 TEST_F(ConstraintsCommand, refuses_what_it_cannot_use) {
   expect_refused("triangulate points.csv --breaklines none.geojson -o a.ply", "none.geojson");
   put("far.geojson", line("[[50,50],[60,60]]"));
@@ -104,6 +129,9 @@ TEST_F(ConstraintsCommand, refuses_what_it_cannot_use) {
       R"({"type":"Polygon","coordinates":[[[40,0,1],[43,0,1],[43,3,1],[40,0,1]]]})");
   expect_refused("triangulate points.csv --outline site_elsewhere.geojson -o a.ply",
                  "nowhere near the points");
+  expect_refused("triangulate points.csv --snap 1 -o a.ply", "--snap is for lines");
+  expect_refused("triangulate points.csv --split-crossings -o a.ply",
+                 "--split-crossings is for lines");
   expect_refused("triangulate points.csv --max-edge -1 -o a.ply", "--max-edge must be a length");
   expect_refused("triangulate - --breaklines - -o a.ply", "cannot both be standard input");
   expect_refused("edges points.csv --class kod --breaklines road.geojson -o e.csv",
