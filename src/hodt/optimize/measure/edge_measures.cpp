@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "hodt/base/lanes.h"
 #include "hodt/base/parallel.h"
@@ -177,14 +178,22 @@ const double* ManyEdges::measure(std::size_t size, int left, int right) {
 
 double EdgeValues::of(const TriangleMesh& mesh) const {
   const Buffer<Gradient> all = gradients(mesh);
+  const auto add = [&](std::size_t first, std::size_t last, std::vector<Total>& parts) {
+    Total part(*this);
+    bool any = false;
+    for (std::size_t i = first; i < last; ++i) {
+      const HalfEdgeId h{Index(i)}, twin = mesh.twin(h);
+      if (!twin.valid() || twin < h) continue;
+      part.add(across(mesh.origin(h), mesh.target(h), all[TriangleMesh::triangle(h)],
+                      all[TriangleMesh::triangle(twin)]));
+      any = true;
+    }
+    if (any) parts.push_back(part);
+  };
+  const std::vector<Total> parts = parallel_collect<Total>(0, mesh.halfedge_count(), 1 << 15, add);
   Total total(*this);
-  bool any = false;
-  for_each_inner_edge(mesh, [&](HalfEdgeId h) {
-    total.add(across(mesh.origin(h), mesh.target(h), all[TriangleMesh::triangle(h)],
-                     all[TriangleMesh::triangle(mesh.twin(h))]));
-    any = true;
-  });
-  return any ? total.value() : 0;
+  for (const Total& part : parts) total.add(part);
+  return parts.empty() ? 0 : total.value();
 }
 
 }  // namespace hodt
