@@ -27,4 +27,23 @@ FoundOutgoing find_outgoing(const TriangleMesh& mesh, HalfEdgeId start, Index mo
   return {{}, true};
 }
 
+/// A half-edge along the edge uv, in either direction; kNone if there is none. `outgoing[v]` leaves
+/// v. Asks the end that is no hub.
+template <class Outgoing>
+HalfEdgeId find_edge(const TriangleMesh& mesh, const Outgoing& outgoing, VertexId u, VertexId v) {
+  const auto find_at = [&](VertexId from, VertexId to, Index most) {
+    FoundOutgoing found = find_outgoing(mesh, outgoing[from], most, [&](HalfEdgeId h) {
+      return mesh.target(h) == to || mesh.apex(h) == to;
+    });
+    const HalfEdgeId h = found.halfedge;
+    if (h.valid() && mesh.target(h) != to) found.halfedge = TriangleMesh::prev(h);
+    return found;
+  };
+  if (const FoundOutgoing found = find_at(u, v, kFewTriangles); found.is_known)
+    return found.halfedge;
+  if (const FoundOutgoing found = find_at(v, u, kFewTriangles); found.is_known)
+    return found.halfedge;
+  return find_at(u, v, kNone).halfedge;
+}
+
 }  // namespace hodt

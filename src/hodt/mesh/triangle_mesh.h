@@ -84,15 +84,6 @@ class TriangleMesh {
 /// a flip makes it stale.
 Buffer<HalfEdgeId> outgoing_halfedges(const TriangleMesh& mesh);
 
-/// Calls f(h) for one half-edge of every edge between two triangles: the smaller of the two.
-template <class F>
-void for_each_inner_edge(const TriangleMesh& mesh, const F& f) {
-  for (Index i = 0; i < mesh.halfedge_count(); ++i) {
-    const HalfEdgeId h(i);
-    if (!mesh.is_boundary(h) && h < mesh.twin(h)) f(h);
-  }
-}
-
 /// Calls f(h) for every half-edge that leaves the origin of `start`, counter-clockwise; `start` as
 /// outgoing_halfedges gives it. At a boundary vertex the last boundary edge has no such half-edge:
 /// it is the prev of the last one.

@@ -6,35 +6,17 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/mesh/find_outgoing.h"
 #include "hodt/order/segment_walk.h"
 
 namespace hodt {
 
 namespace {
 
-/// A side of a triangle that is the Delaunay edge uv, from either end, if there is one. Asks the
-/// end that is no hub.
-HalfEdgeId find_edge(const DelaunayGraph& graph, VertexId u, VertexId v) {
-  const TriangleMesh& mesh = graph.mesh;
-  const auto find_at = [&](VertexId from, VertexId to, Index most) {
-    FoundOutgoing found = find_outgoing(mesh, graph.outgoing[from], most, [&](HalfEdgeId h) {
-      return mesh.target(h) == to || mesh.apex(h) == to;
-    });
-    const HalfEdgeId h = found.halfedge;
-    if (h.valid() && mesh.target(h) != to) found.halfedge = TriangleMesh::prev(h);
-    return found;
-  };
-  if (const FoundOutgoing found = find_at(u, v, kFewTriangles); found.is_known)
-    return found.halfedge;
-  if (const FoundOutgoing found = find_at(v, u, kFewTriangles); found.is_known)
-    return found.halfedge;
-  return find_at(u, v, kNone).halfedge;
-}
-
 /// Calls f for the triangles on both sides of the Delaunay edge uv; false if there is none.
 template <class F>
 bool for_each_beside(const DelaunayGraph& graph, const PlainEdge& edge, const F& f) {
-  const HalfEdgeId side = find_edge(graph, edge.u, edge.v);
+  const HalfEdgeId side = find_edge(graph.mesh, graph.outgoing, edge.u, edge.v);
   if (!side.valid()) return false;
   for (const HalfEdgeId h : {side, graph.mesh.twin(side)})
     if (h.valid()) f(TriangleMesh::triangle(h));

@@ -69,21 +69,9 @@ void DelaunayGraph::find_wall_ends() {
   }
 }
 
-/// Asks the end with few neighbours.
 bool DelaunayGraph::is_wall_at(VertexId a, VertexId b) const {
-  const auto find_at = [&](VertexId from, VertexId to, Index most) {
-    bool is_wall = false;
-    const FoundOutgoing found = find_outgoing(mesh, outgoing[from], most, [&](HalfEdgeId h) {
-      const HalfEdgeId last = TriangleMesh::prev(h);
-      if (mesh.target(h) == to) return is_wall = walls[h], true;
-      if (mesh.is_boundary(last) && mesh.origin(last) == to) return is_wall = walls[last], true;
-      return false;
-    });
-    return std::pair(found.is_known, is_wall);
-  };
-  for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
-    if (const auto [is_known, is_wall] = find_at(from, to, kFewTriangles); is_known) return is_wall;
-  return find_at(a, b, kNone).second;
+  const HalfEdgeId h = find_edge(mesh, outgoing, a, b);
+  return h.valid() && walls[h];
 }
 
 void DelaunayGraph::list_neighbours(const Deadline& deadline) {

@@ -2,24 +2,13 @@
 
 #include <cstddef>
 
-#include "hodt/geometry/predicates.h"
+#include "hodt/order/emptiest.h"
 #include "hodt/order/segment_walk.h"
 
 namespace hodt {
 namespace {
 
 using Triangles = std::vector<std::array<VertexId, 3>>;
-
-/// Of the vertices between the first and the last of a part of the chain, the one whose circle
-/// through these two holds none of the others.
-std::size_t emptiest(const DelaunayGraph& graph, const std::vector<VertexId>& chain,
-                     std::size_t first, std::size_t last) {
-  const Point &a = graph.point(chain[first]), &b = graph.point(chain[last]);
-  std::size_t best = first + 1;
-  for (std::size_t i = first + 2; i < last; ++i)
-    if (in_circle(a, b, graph.point(chain[best]), graph.point(chain[i]))) best = i;
-  return best;
-}
 
 /// Triangulates between a chain and the edge from its first vertex to its last, which has the chain
 /// on its left. All vertices between two that have become joined are on the left of that new edge,
@@ -35,7 +24,7 @@ void triangulate_beside(const DelaunayGraph& graph, const std::vector<VertexId>&
     const auto [first, last] = parts.back();
     parts.pop_back();
     if (last - first < 2) continue;
-    const std::size_t best = emptiest(graph, chain, first, last);
+    const std::size_t best = emptiest(graph.xy, chain, first, last);
     triangles.push_back({chain[first], chain[last], chain[best]});
     parts.push_back({best, last});
     parts.push_back({first, best});

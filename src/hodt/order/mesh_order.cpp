@@ -7,6 +7,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/mesh/edge_list.h"
 #include "hodt/order/circle_counter.h"
 #include "hodt/order/constrained/constrained_delaunay.h"
 
@@ -29,10 +30,6 @@ struct Counts {
 
 using Edge = std::array<Index, 2>;
 
-Edge sorted_ends(Index u, Index v) {
-  return {std::min(u, v), std::max(u, v)};
-}
-
 /// Makes the walls, and counts those that the triangles do not have.
 std::size_t make_walls(Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
                        std::span<const std::array<Index, 3>> triangles,
@@ -46,18 +43,14 @@ std::size_t make_walls(Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
         "the edge from vertex {} to {} and that from {} to {} have to be there, but they cross",
         walls[i][0], walls[i][1], walls[j][0], walls[j][1]));
   }
-  std::vector<Edge> sides;
-  for (const auto& [a, b, c] : triangles)
-    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-      sides.push_back(sorted_ends(vertex_of[u], vertex_of[v]));
-  std::sort(sides.begin(), sides.end());
+  const std::vector<Edge> edges =
+      sorted_edges(triangles, [&](Index row) { return Index(vertex_of[row]); });
   std::size_t missing = 0;
   const TriangleMesh& mesh = delaunay.mesh;
   for (Index i = 0; i < mesh.halfedge_count(); ++i)
     if (const HalfEdgeId h(i), twin = mesh.twin(h);
         delaunay.walls[h] && (!twin.valid() || h < twin))
-      missing += !std::binary_search(sides.begin(), sides.end(),
-                                     sorted_ends(mesh.origin(h), mesh.target(h)));
+      missing += !has_edge(edges, mesh.origin(h), mesh.target(h));
   return missing;
 }
 

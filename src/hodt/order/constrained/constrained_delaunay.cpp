@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "hodt/base/prefetch.h"
+#include "hodt/geometry/direction.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/mesh/find_outgoing.h"
+#include "hodt/order/emptiest.h"
 
 namespace hodt {
 
@@ -127,19 +129,16 @@ void Inserter::insert(Index edge, VertexId from, VertexId to) {
 /// Looks at so many triangles around the vertex.
 Inserter::Start Inserter::start(VertexId from, VertexId to, Index most) const {
   const Point &a = xy_[from], &b = xy_[to];
-  const auto is_on_the_way = [&](const Point& p) {
-    return orient(a, b, p) == 0 && lexicographically_less(a, b) == lexicographically_less(a, p);
-  };
   Start start;
   const auto is_start = [&](HalfEdgeId h) {
     const Point &right = xy_[mesh_.target(h)], &left = xy_[mesh_.apex(h)];
-    if (is_on_the_way(right)) {
+    if (is_same_direction(a, b, right)) {
       start.along = h;
       return true;
     }
     // No half-edge leaves a vertex on the boundary along its last edge.
     if (const HalfEdgeId last = TriangleMesh::prev(h);
-        mesh_.is_boundary(last) && is_on_the_way(left)) {
+        mesh_.is_boundary(last) && is_same_direction(a, b, left)) {
       start.along = last;
       return true;
     }
@@ -229,9 +228,7 @@ HalfEdgeId Inserter::fill(const Chain& chain, HalfEdgeId outside, std::size_t fi
     const auto [first, last, beyond] = parts_.back();
     parts_.pop_back();
     const VertexId a = chain.vertices[first], b = chain.vertices[last];
-    Index best = first + 1;
-    for (Index i = first + 2; i < last; ++i)
-      if (in_circle(xy_[a], xy_[b], xy_[chain.vertices[best]], xy_[chain.vertices[i]])) best = i;
+    const auto best = static_cast<Index>(emptiest(xy_, chain.vertices, first, last));
     const HalfEdgeId base = TriangleMesh::halfedge(cavity_[cavity_used_++]);
     const HalfEdgeId from_best = TriangleMesh::prev(base), to_best = TriangleMesh::next(base);
     mesh_.set_origin(base, a);

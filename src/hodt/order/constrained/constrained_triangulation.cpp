@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hodt/geometry/predicates.h"
+#include "hodt/order/emptiest.h"
 #include "hodt/order/segment_walk.h"
 
 namespace hodt {
@@ -190,9 +191,7 @@ bool ConstrainedTriangulation::cross_out(VertexId from, VertexId to) {
 /// On the left chain `first` is the segment's start; the chain's vertices are in order along it.
 HalfEdgeId ConstrainedTriangulation::triangulate_beside(Chain& chain, Index first, Index last) {
   const VertexId a = chain.vertices[first], b = chain.vertices[last];
-  Index best = first + 1;
-  for (Index i = first + 2; i < last; ++i)
-    if (in_circle(xy_[a], xy_[b], xy_[chain.vertices[best]], xy_[chain.vertices[i]])) best = i;
+  const auto best = static_cast<Index>(emptiest(xy_, chain.vertices, first, last));
   const TriangleId t = cavity_[cavity_used_++];
   set_triangle(t, a, b, chain.vertices[best]);
   const HalfEdgeId base = TriangleMesh::halfedge(t);

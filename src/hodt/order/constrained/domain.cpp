@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
-#include "hodt/geometry/predicates.h"
+#include "hodt/geometry/direction.h"
 #include "hodt/mesh/find_outgoing.h"
 
 namespace hodt {
@@ -36,9 +36,8 @@ class Restrictor {
     return !twin.valid() || !is_kept_[TriangleMesh::triangle(twin)];
   }
   std::vector<Index> fans(Buffer<Index>& fan_of) const;
-  void refuse_if_empty() const {
-    if (std::find(is_kept_.begin(), is_kept_.end(), true) == is_kept_.end())
-      throw InputError("no triangle is inside the outline; is it of the same coordinate system?");
+  bool is_empty() const {
+    return std::find(is_kept_.begin(), is_kept_.end(), true) == is_kept_.end();
   }
 
   Delaunay& delaunay_;
@@ -69,9 +68,7 @@ Buffer<bool> Restrictor::bounding(std::span<const std::array<VertexId, 2>> bound
     HalfEdgeId along;
     find_outgoing(mesh_, outgoing[from], kNone, [&](HalfEdgeId h) {
       const auto is_it = [&](HalfEdgeId g, VertexId v) {
-        if (!delaunay_.walls[g] || orient(a, b, xy_[v]) != 0 ||
-            lexicographically_less(a, b) != lexicographically_less(a, xy_[v]))
-          return false;
+        if (!delaunay_.walls[g] || !is_same_direction(a, b, xy_[v])) return false;
         along = g;
         return true;
       };
@@ -112,7 +109,8 @@ std::size_t Restrictor::leave_out_outside(std::span<const std::array<VertexId, 2
       if (const HalfEdgeId h(i); !mesh_.is_boundary(h))
         reach(TriangleMesh::triangle(mesh_.twin(h)), is_kept_[t] != bounds[h]);
   }
-  refuse_if_empty();
+  if (is_empty())
+    throw InputError("no triangle is inside the outline; is it of the same coordinate system?");
   return static_cast<std::size_t>(std::count(is_kept_.begin(), is_kept_.end(), false));
 }
 
@@ -138,7 +136,7 @@ std::size_t Restrictor::leave_out_too_long(double max_edge) {
     for (Index i = 3 * t; i < 3 * t + 3; ++i)
       if (const HalfEdgeId twin = mesh_.twin(HalfEdgeId(i)); twin.valid()) look_at(twin);
   }
-  if (std::find(is_kept_.begin(), is_kept_.end(), true) == is_kept_.end())
+  if (is_empty())
     throw InputError(fmt::format(
         "no triangle is left: all have an edge longer than {} on the way from the boundary",
         max_edge));

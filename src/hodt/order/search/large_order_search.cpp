@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hodt/geometry/direction.h"
 #include "hodt/geometry/predicates.h"
 
 namespace hodt {
@@ -77,18 +78,13 @@ void LargeOrderSearch::build_hulls() {
   std::size_t kept = 0;
   for (const Neighbour& v : around_) {
     const Point& p = graph_.point(v.vertex);
-    if (kept > 0 && is_same_direction(points_.back(), p)) continue;
+    if (kept > 0 && is_same_direction(u, points_.back(), p)) continue;
     points_.push_back(p);
     images_.push_back(image_of(v.vertex));
     around_[kept++] = v;
   }
   around_.resize(kept);
   hulls_.build(u, points_, images_, deadline_);
-}
-
-bool LargeOrderSearch::is_same_direction(const Point& a, const Point& b) const {
-  const Point& u = graph_.point(u_);
-  return orient(u, a, b) == 0 && lexicographically_less(u, a) == lexicographically_less(u, b);
 }
 
 /// False if the circle through u, v and the first point on one side surely holds more than the

@@ -50,7 +50,6 @@ class LargeOrderSearch {
   void gather();
   void sort_by_direction();
   void build_hulls();
-  bool is_same_direction(const Point& a, const Point& b) const;
   template <class Candidate>
   void for_each_candidate(const Candidate& candidate) const;
   bool may_hold_few(Index i, Index first) const;
