@@ -13,6 +13,7 @@
 #include "hodt/io/edge_pairs_file.h"
 #include "hodt/io/file_name.h"
 #include "hodt/io/line_file.h"
+#include "hodt/mesh/edge_list.h"
 #include "hodt/pipeline/constrain.h"
 
 namespace hodt::app {
@@ -65,22 +66,19 @@ void add_edge_pairs(const std::string& file, const std::string& input, Joined& j
 bool has_edges(std::span<const std::array<Index, 3>> triangles,
                std::span<const Constraints::Edge> edges) {
   if (edges.empty()) return true;
-  const auto sorted_ends = [](Index u, Index v) {
-    return Constraints::Edge{std::min(u, v), std::max(u, v)};
-  };
-  std::vector<Constraints::Edge> all;
-  for (const auto& [a, b, c] : triangles)
-    for (const auto& [u, v] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-      all.push_back(sorted_ends(u, v));
-  std::sort(all.begin(), all.end());
+  const std::vector<Constraints::Edge> all = sorted_edges(triangles, [](Index v) { return v; });
   return std::all_of(edges.begin(), edges.end(), [&](const Constraints::Edge& e) {
-    return e[0] == e[1] || std::binary_search(all.begin(), all.end(), sorted_ends(e[0], e[1]));
+    return e[0] == e[1] || has_edge(all, e[0], e[1]);
   });
 }
 
+/// Whether the edges to keep are lines, and no table.
+bool keeps_lines(const ConstraintArguments& arguments) {
+  return !arguments.keep_edges.empty() && is_geojson_name(arguments.keep_edges);
+}
+
 bool has_lines(const ConstraintArguments& arguments) {
-  return !arguments.breaklines.empty() || !arguments.outline.empty() ||
-         (!arguments.keep_edges.empty() && is_geojson_name(arguments.keep_edges));
+  return !arguments.breaklines.empty() || !arguments.outline.empty() || keeps_lines(arguments);
 }
 
 }  // namespace
@@ -132,10 +130,9 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
 
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
                         PointSet points, std::span<const Index> numbers) {
-  const bool keeps_lines = !arguments.keep_edges.empty() && is_geojson_name(arguments.keep_edges);
   std::vector<Lines> lines;
   for (const std::string& file : arguments.breaklines) lines.push_back(read_lines(file));
-  if (keeps_lines) lines.push_back(read_lines(arguments.keep_edges));
+  if (keeps_lines(arguments)) lines.push_back(read_lines(arguments.keep_edges));
   std::optional<Outline> outline;
   if (!arguments.outline.empty()) outline = read_outline(arguments.outline);
   JoinOptions options{arguments.split_crossings,
@@ -146,7 +143,7 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
     joined.points = std::move(points);
   else
     joined = join_lines(points, lines, outline, options);
-  if (!arguments.keep_edges.empty() && !keeps_lines)
+  if (!arguments.keep_edges.empty() && !keeps_lines(arguments))
     add_edge_pairs(arguments.keep_edges, input, joined, rows, numbers);
   if (!arguments.max_edge.empty())
     joined.constraints.max_edge = parse_non_negative("--max-edge", "a length", arguments.max_edge);
@@ -204,8 +201,10 @@ TriangulateResult triangulate_joined(const std::string& input, const Joined& joi
 
 JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined) {
   return naming_lines(input, joined, [&] {
-    Prepared prepared = prepare(joined.points, {}, joined.constraints);
-    return JoinedDelaunay{std::move(prepared.delaunay), std::move(prepared.report)};
+    JoinedDelaunay result{delaunay(joined.points), 0, {}};
+    result.duplicates = joined.points.size() - result.triangulation.vertices.size();
+    result.constraints = constrain(result.triangulation, joined.points, joined.constraints);
+    return result;
   });
 }
 

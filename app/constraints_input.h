@@ -48,7 +48,8 @@ TriangulateResult triangulate_joined(const std::string& input, const Joined& joi
 /// The (constrained) Delaunay triangulation, with errors like these, and what is known of it.
 struct JoinedDelaunay {
   Delaunay triangulation;
-  Report report;
+  std::size_t duplicates = 0;
+  ConstraintReport constraints;
 };
 JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined);
 

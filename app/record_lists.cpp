@@ -60,7 +60,8 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
         read_constraints(arguments.constraints, arguments.input.file, std::move(table.points));
     const PointSet& points = joined.points;
     progress.report("Delaunay triangulation");
-    const auto [triangulation, constrained] = delaunay_of_joined(arguments.input.file, joined);
+    const auto [triangulation, duplicates, constraints] =
+        delaunay_of_joined(arguments.input.file, joined);
     const std::size_t distinct = triangulation.vertices.size();
     DelaunayGraph graph(triangulation);
     graph.list_neighbours();
@@ -71,9 +72,8 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
             row_numbering(triangulation.vertices, points.size()), lines);
     lines.flush();
     summary = fmt::format("{:<9} {}, {} dropped\n", "points", points.size(),
-                          counted(constrained.duplicates, "duplicate"));
-    if (arguments.constraints.any())
-      summary += constraints_text(joined.report, constrained.constraints, 11);
+                          counted(duplicates, "duplicate"));
+    if (arguments.constraints.any()) summary += constraints_text(joined.report, constraints, 11);
     summary += fmt::format("{:<9} {}, {} of order {} or less\n", things, lines.count(),
                            arguments.list_class, k.digits);
     summary += fmt::format("{:<9} {}\n", "columns", text_of(table.columns));
