@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "../support/measures_by_definition.h"
 #include "constrained.h"
 #include "constraint_shapes.h"
 #include "pipeline_check.h"
@@ -35,14 +36,13 @@ using oracle::Constrained;
 using oracle::ConstrainedCatalogue;
 using oracle::Domain;
 using oracle::Edge;
+using oracle::edge_of;
 using oracle::Instance;
 using oracle::Triangle;
 using oracle::Triangles;
-using Real = long double;
-
-Edge edge_of(int u, int v) {
-  return {std::min(u, v), std::max(u, v)};
-}
+using support::distance;
+using support::Place;
+using support::Real;
 
 std::array<Edge, 3> sides_of(const Triangle& t) {
   return {edge_of(t[0], t[1]), edge_of(t[1], t[2]), edge_of(t[2], t[0])};
@@ -184,67 +184,6 @@ Question random_question(const Instance& instance, families::Random& random) {
 
 // ---- The value of a triangulation ----
 
-struct Place {
-  Real x, y, z;
-};
-
-Real distance(const Place& a, const Place& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-Real degrees(Real sine, Real cosine) {
-  return std::atan2(sine, cosine) * 180 / std::acos(Real(-1));
-}
-
-Real measure_of(const Objective& objective, const Place& a, const Place& b, const Place& c) {
-  const Real area = std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-  std::array<Real, 3> s{distance(a, b), distance(b, c), distance(c, a)};
-  std::ranges::sort(s);
-  const auto angle_beside = [&](Real opposite, Real p, Real q) {
-    return degrees(2 * area, (p * p + q * q - opposite * opposite) / 2);
-  };
-  const Real radius = s[0] * s[1] * s[2] / (4 * area);
-  switch (std::get<TriangleMeasure>(objective.measure).kind) {
-    case TriangleMeasure::area:
-      return area;
-    case TriangleMeasure::angle:
-      return angle_beside(s[2], s[0], s[1]);
-    case TriangleMeasure::small_angle:
-      return angle_beside(s[0], s[1], s[2]);
-    case TriangleMeasure::circumradius:
-      return radius;
-    case TriangleMeasure::enclosing_radius:
-      return s[0] * s[0] + s[1] * s[1] <= s[2] * s[2] ? s[2] / 2 : radius;
-    case TriangleMeasure::inradius:
-      return 2 * area / (s[0] + s[1] + s[2]);
-    case TriangleMeasure::length:
-      return objective.aggregate == Aggregate::max ? s[2] : s[0];
-    case TriangleMeasure::flat_area:
-      return a.z == b.z && b.z == c.z ? area : 0;
-    default:
-      return 0;
-  }
-}
-
-Real measure_across(const EdgeMeasure& measure, const Place& a, const Place& b, const Place& l,
-                    const Place& r) {
-  using Vector = std::array<Real, 3>;
-  const auto normal = [](const Place& p, const Place& q, const Place& s) {
-    const Vector u{q.x - p.x, q.y - p.y, q.z - p.z}, v{s.x - p.x, s.y - p.y, s.z - p.z};
-    return Vector{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  };
-  const Vector m = normal(a, b, l), n = normal(b, a, r);
-  if (measure.kind == EdgeMeasure::jnd) {
-    const Real x = (b.y - a.y) / distance(a, b), y = (a.x - b.x) / distance(a, b);
-    return std::fabs((m[0] / m[2] - n[0] / n[2]) * x + (m[1] / m[2] - n[1] / n[2]) * y);
-  }
-  const Vector cross{m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2],
-                     m[0] * n[1] - m[1] * n[0]};
-  const Real angle =
-      degrees(std::hypot(cross[0], cross[1], cross[2]), m[0] * n[0] + m[1] * n[1] + m[2] * n[2]);
-  return measure.kind == EdgeMeasure::abn ? angle : distance(a, b) * angle;
-}
-
 class Values {
  public:
   explicit Values(const Instance& instance) : instance_(instance) {
@@ -266,7 +205,9 @@ class Values {
     for (const auto& [a, b, c] : triangles) {
       apex[{a, b}] = c, apex[{b, c}] = a, apex[{c, a}] = b;
       if (!hodt::is_of_edges(objective) && !is_total_length)
-        values.push_back(measure_of(objective, places_[a], places_[b], places_[c]));
+        values.push_back(support::measure_by_definition(
+            std::get<TriangleMeasure>(objective.measure).kind, objective.aggregate, places_[a],
+            places_[b], places_[c]));
     }
     for (const auto& [e, l] : apex) {
       const auto other = apex.find({e[1], e[0]});
@@ -275,8 +216,9 @@ class Values {
       const Place &a = places_[e[0]], &b = places_[e[1]];
       if (is_total_length) values.push_back(distance(a, b));
       if (hodt::is_of_edges(objective) && is_inner)
-        values.push_back(measure_across(std::get<EdgeMeasure>(objective.measure), a, b, places_[l],
-                                        places_[other->second]));
+        values.push_back(
+            support::measure_by_definition(std::get<EdgeMeasure>(objective.measure).kind, a, b,
+                                           places_[l], places_[other->second]));
     }
     if (values.empty()) return 0;
     if (objective.aggregate == Aggregate::max) return *std::ranges::max_element(values);

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "../oracle/oracle.h"
+#include "../support/measures_by_definition.h"
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
@@ -29,7 +30,7 @@
 
 namespace {
 
-using Real = long double;  // for the measures of a lattice: no rounding to speak of
+using support::Real;
 
 /// Choices read from the input; zeros at its end.
 class Bytes {
@@ -139,70 +140,33 @@ std::string Case::text() const {
 
 // ---- What the lattice's triangulations measure. ----
 
+using support::Place;
+
+Place place(const Corner& c) {
+  return {Real(c.x), Real(c.y), Real(c.z)};
+}
+
 Real side(const Corner& a, const Corner& b) {
-  return std::hypot(Real(a.x - b.x), Real(a.y - b.y));
+  return support::distance(place(a), place(b));
 }
 
 Real measure_of(const Objective& objective, const Corner& a, const Corner& b, const Corner& c) {
   const TriangleMeasure measure = std::get<TriangleMeasure>(objective.measure);
-  const Real area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / Real(2);
-  std::array<Real, 3> s = {side(a, b), side(b, c), side(c, a)};
-  std::sort(s.begin(), s.end());
-  const auto angle_beside = [&](Real opposite, Real p, Real q) {
-    const Real cosine = (p * p + q * q - opposite * opposite) / 2;
-    return std::atan2(2 * area, cosine) * 180 / std::acos(Real(-1));
-  };
-  const Real radius = s[0] * s[1] * s[2] / (4 * area);
-  switch (measure.kind) {
-    case TriangleMeasure::area:
-      return area;
-    case TriangleMeasure::angle:
-      return angle_beside(s[2], s[0], s[1]);
-    case TriangleMeasure::small_angle:
-      return angle_beside(s[0], s[1], s[2]);
-    case TriangleMeasure::circumradius:
-      return radius;
-    case TriangleMeasure::enclosing_radius:
-      return s[0] * s[0] + s[1] * s[1] <= s[2] * s[2] ? s[2] / 2 : radius;
-    case TriangleMeasure::inradius:
-      return 2 * area / (s[0] + s[1] + s[2]);
-    case TriangleMeasure::length:
-      return objective.aggregate == Aggregate::sum   ? (s[0] + s[1] + s[2]) / 2
-             : objective.aggregate == Aggregate::max ? s[2]
-                                                     : s[0];
-    case TriangleMeasure::flat_area:
-      return a.z == b.z && b.z == c.z ? area : 0;
-    case TriangleMeasure::own: {
-      const auto steps = [](const Corner& p, const Corner& q) {
-        return std::abs(p.x - q.x) + std::abs(p.y - q.y);
-      };
-      return steps(a, b) + steps(b, c) + steps(c, a);
-    }
+  if (measure.kind == TriangleMeasure::own) {
+    const auto steps = [](const Corner& p, const Corner& q) {
+      return std::abs(p.x - q.x) + std::abs(p.y - q.y);
+    };
+    return steps(a, b) + steps(b, c) + steps(c, a);
   }
-  return 0;
+  return support::measure_by_definition(measure.kind, objective.aggregate, place(a), place(b),
+                                        place(c));
 }
 
 Real measure_across(const Objective& objective, const Corner& a, const Corner& b, const Corner& l,
                     const Corner& r) {
   const EdgeMeasure measure = std::get<EdgeMeasure>(objective.measure);
   if (measure.kind == EdgeMeasure::own) return std::abs(a.z - b.z) + 2 * std::abs(l.z - r.z);
-  using Vector = std::array<Real, 3>;
-  const auto normal = [](const Corner& p, const Corner& q, const Corner& s) {
-    const Vector u{Real(q.x - p.x), Real(q.y - p.y), Real(q.z - p.z)};
-    const Vector v{Real(s.x - p.x), Real(s.y - p.y), Real(s.z - p.z)};
-    return Vector{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  };
-  const Vector m = normal(a, b, l), n = normal(b, a, r);
-  if (measure.kind == EdgeMeasure::jnd) {
-    const Real x = (b.y - a.y) / side(a, b), y = (a.x - b.x) / side(a, b);
-    return std::fabs((m[0] / m[2] - n[0] / n[2]) * x + (m[1] / m[2] - n[1] / n[2]) * y);
-  }
-  const Vector cross{m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2],
-                     m[0] * n[1] - m[1] * n[0]};
-  const Real sine = std::sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
-  const Real angle =
-      std::atan2(sine, m[0] * n[0] + m[1] * n[1] + m[2] * n[2]) * 180 / std::acos(Real(-1));
-  return measure.kind == EdgeMeasure::abn ? angle : side(a, b) * angle;
+  return support::measure_by_definition(measure.kind, place(a), place(b), place(l), place(r));
 }
 
 /// Of what power of the unit of length a measure is.

@@ -1,5 +1,6 @@
 #include "hodt/mesh/find_outgoing.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "../support/convert.h"
@@ -37,6 +38,28 @@ TEST(FindOutgoing, finds_what_a_walk_meets_in_time) {
       EXPECT_EQ(none.is_known, most >= count);
     }
   }
+}
+
+/// All edges of a fan, from either end, and none between vertices that are not joined; at a hub of
+/// more triangles than are asked first, too.
+TEST(FindOutgoing, finds_edges_from_either_end) {
+  for (const Index ends : {6u, 2 * kFewTriangles})
+    for (const bool is_closed : {false, true}) {
+      const TriangleMesh mesh = fan(ends, is_closed);
+      const Buffer<HalfEdgeId> outgoing = outgoing_halfedges(mesh);
+      for (Index u = 0; u <= ends; ++u)
+        for (Index v = 0; v <= ends; ++v) {
+          if (u == v) continue;
+          const Index low = std::min(u, v), high = std::max(u, v);
+          const bool is_edge =
+              low == 0 || high == low + 1 || (is_closed && low == 1 && high == ends);
+          const HalfEdgeId h = find_edge(mesh, outgoing, VertexId(u), VertexId(v));
+          ASSERT_EQ(h.valid(), is_edge) << u << ' ' << v;
+          if (!is_edge) continue;
+          EXPECT_EQ(std::min<Index>(mesh.origin(h), mesh.target(h)), low);
+          EXPECT_EQ(std::max<Index>(mesh.origin(h), mesh.target(h)), high);
+        }
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "../support/connectivity_problem.h"
 #include "../support/convert.h"
+#include "../support/inner_edges.h"
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 

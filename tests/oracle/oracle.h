@@ -27,6 +27,9 @@ using Triangle = std::array<int, 3>;
 using Triangles = std::vector<Triangle>;
 /// Two ends, the smaller first.
 using Edge = std::array<int, 2>;
+inline Edge edge_of(int u, int v) {
+  return u < v ? Edge{u, v} : Edge{v, u};
+}
 
 struct SplitCount {
   int interior = 0;

@@ -36,6 +36,7 @@ using oracle::Constrained;
 using oracle::ConstrainedCatalogue;
 using oracle::Domain;
 using oracle::Edge;
+using oracle::edge_of;
 using oracle::Instance;
 using oracle::Triangle;
 using oracle::Triangles;
@@ -43,10 +44,6 @@ using oracle::Triangles;
 /// Calls f with each of the corners first, the turn as it is.
 std::array<Triangle, 3> turned(const Triangle& t) {
   return {{{t[0], t[1], t[2]}, {t[1], t[2], t[0]}, {t[2], t[0], t[1]}}};
-}
-
-Edge edge_of(int u, int v) {
-  return {std::min(u, v), std::max(u, v)};
 }
 
 std::set<Edge> edges_of(const Triangles& triangles) {

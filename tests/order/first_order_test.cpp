@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../support/convert.h"
+#include "../support/inner_edges.h"
 #include "../support/shapes.h"
 #include <gtest/gtest.h>
 
