@@ -11,7 +11,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/edge_pairs_file.h"
-#include "hodt/io/file_name.h"
+#include "hodt/io/formats.h"
 #include "hodt/io/line_file.h"
 #include "hodt/mesh/edge_list.h"
 #include "hodt/pipeline/constrain.h"
@@ -74,7 +74,7 @@ bool has_edges(std::span<const std::array<Index, 3>> triangles,
 
 /// Whether the edges to keep are lines, and no table.
 bool keeps_lines(const ConstraintArguments& arguments) {
-  return !arguments.keep_edges.empty() && is_geojson_name(arguments.keep_edges);
+  return !arguments.keep_edges.empty() && find_format(arguments.keep_edges, Use::read_features);
 }
 
 bool has_lines(const ConstraintArguments& arguments) {

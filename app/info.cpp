@@ -126,7 +126,7 @@ int run(const Arguments& arguments) {
     progress.report("reading");
     // What may be wrong is among the hints, not on standard error.
     const PointTable table = read_point_table(
-        arguments.input.file, parse_column_choice("--columns", arguments.input.columns));
+        arguments.input.file, {parse_column_choice("--columns", arguments.input.columns)});
     progress.report("counting");
     findings = examine(table);
   }

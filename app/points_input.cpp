@@ -38,7 +38,7 @@ void add_columns(CLI::App& command, const std::string& name, std::string& column
 
 PointTable read_input_points(const std::string& file, const std::string& columns,
                              const std::string& option) {
-  return read_point_table(file, parse_column_choice(option, columns));
+  return read_point_table(file, {parse_column_choice(option, columns)});
 }
 
 void print_warnings(const std::string& file, const PointTable& table) {

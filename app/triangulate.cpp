@@ -14,7 +14,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/io/file_name.h"
+#include "hodt/io/formats.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/pipeline.h"
 #include "hodt/pipeline/given_tin.h"
@@ -46,7 +46,7 @@ struct Source {
 };
 
 Source read_source(const PointsInput& input) {
-  if (!is_mesh_name(input.file)) return {false, read_input_points(input), {}, 0, {}};
+  if (!find_format(input.file, Use::read_tin)) return {false, read_input_points(input), {}, 0, {}};
   if (!input.columns.empty())
     throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
                          " is a mesh");

@@ -161,12 +161,12 @@ TEST(LineFile, reads_what_is_nested_deeply) {
 
 TEST(LineFile, the_name_tells_the_format) {
   EXPECT_EQ(
-      message_of<ParameterError>([] { read_lines("no/such/roads.shp"); }),
-      "cannot read lines from no/such/roads.shp: unknown extension '.shp'; known are .geojson "
-      "and .json, each also with .gz, and ogr2ogr -f GeoJSON writes them from other formats");
+      message_of<ParameterError>([] { read_lines("no/such/roads.shpx"); }),
+      "cannot read lines and places from no/such/roads.shpx: unknown extension '.shpx'; known are "
+      ".geojson, .json, each also with .gz");
   EXPECT_NE(message_of<ParameterError>([] {
               read_outline("-");
-            }).find("cannot read lines from standard input: the name has no extension"),
+            }).find("cannot read lines and places from standard input: the name has no extension"),
             std::string::npos);
   EXPECT_THROW(read_lines("no/such/file.geojson"), FileError);
   EXPECT_THROW(read_outline("no/such/file.geojson"), FileError);

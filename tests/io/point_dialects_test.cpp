@@ -39,7 +39,7 @@ class PointDialects : public testing::Test {
  protected:
   PointTable read(std::string_view content, std::string_view columns = "") const {
     return read_point_table(directory_.file("points.csv", content),
-                            parse_column_choice("--columns", columns));
+                            {parse_column_choice("--columns", columns)});
   }
   std::string error(std::string_view content, std::string_view columns = "") const {
     try {

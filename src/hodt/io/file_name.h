@@ -26,16 +26,4 @@ inline std::string format_extension(const std::filesystem::path& path) {
   return lower_extension(is_packed_name(path) ? path.stem() : path);
 }
 
-/// Whether the name is one of a GeoJSON file.
-inline bool is_geojson_name(const std::filesystem::path& path) {
-  const std::string extension = format_extension(path);
-  return extension == ".geojson" || extension == ".json";
-}
-
-/// Whether the name is one of a mesh that hodt reads.
-inline bool is_mesh_name(const std::filesystem::path& path) {
-  const std::string extension = format_extension(path);
-  return extension == ".obj" || extension == ".ply";
-}
-
 }  // namespace hodt

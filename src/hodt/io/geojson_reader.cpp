@@ -25,7 +25,7 @@ struct NoGeoJson {
 };
 
 /// All errors that say that a text is no GeoJSON.
-[[noreturn]] void refuse_text(const InputText& text, const GeoJsonTaker& taker,
+[[noreturn]] void refuse_text(const InputText& text, const FeatureTaker& taker,
                               const std::string& why, const std::string& where) {
   throw InputError(fmt::format("{}: this is no GeoJSON{}{}{}; {} are what it can hold", text.name,
                                why.empty() ? "" : ": " + why, where.empty() ? "" : " in ", where,
@@ -75,7 +75,7 @@ class FaultFinder : public nlohmann::json_sax<Json> {
   std::string fault_;
 };
 
-Json parsed(const InputText& text, const GeoJsonTaker& taker) {
+Json parsed(const InputText& text, const FeatureTaker& taker) {
   try {
     return Json::parse(text.view());
   } catch (const Json::exception&) {
@@ -102,7 +102,7 @@ Point point_of(const Json& position) {
 
 class Walker {
  public:
-  Walker(const InputText& text, const GeoJsonTaker& taker) : text_(text), taker_(taker) {}
+  Walker(const InputText& text, const FeatureTaker& taker) : text_(text), taker_(taker) {}
 
   /// Goes through all that the object holds. Not recursive: a file may be nested deeper than the
   /// stack.
@@ -223,7 +223,7 @@ class Walker {
   }
 
   const InputText& text_;
-  const GeoJsonTaker& taker_;
+  const FeatureTaker& taker_;
   std::vector<const Json*> open_;
   Index features_ = 0;               // begun so far
   std::size_t lists_ = 0;            // lines and rings of the feature so far
@@ -233,7 +233,7 @@ class Walker {
 
 }  // namespace
 
-void read_geojson(const InputText& text, const GeoJsonTaker& taker) {
+void read_geojson(const InputText& text, const FeatureTaker& taker) {
   const Json root = parsed(text, taker);
   Walker(text, taker).walk(root);
 }

@@ -3,36 +3,13 @@
 // Tested by tests/io/line_file_test.cpp.
 #pragma once
 
-#include <functional>
-#include <string_view>
-
-#include "hodt/base/ids.h"
-#include "hodt/geometry/lines.h"
-#include "hodt/geometry/point.h"
+#include "hodt/io/features.h"
 #include "hodt/io/input_text.h"
 
 namespace hodt {
 
-/// Who takes what a file holds, in its order. A kind of geometry that nobody takes is refused. What
-/// a taker cannot use it refuses by an InputError; it need not say where that is.
-struct GeoJsonTaker {
-  /// The feature that the point is of, from 1. A geometry outside of features is one by itself.
-  std::function<void(const Point&, Index feature)> point = {};
-  /// Two positions or more.
-  std::function<void(Line)> line = {};
-  /// Three corners or more; the first corner may be repeated at the end. `outer`: a polygon begins.
-  std::function<void(Line ring, bool outer)> ring = {};
-
-  /// What errors say that a file can hold: "points and polygons".
-  std::string_view can_hold = {};
-  /// Whether lines and rings get their heights, which all positions of one have, or none.
-  bool heights = false;
-  /// Whether a geometry of no coordinates is nothing, as the RFC allows, or an error.
-  bool skips_empty = false;
-};
-
 /// Hands all points, lines and rings of a GeoJSON text to the taker. Throws InputError, naming the
 /// place, if the text is none or holds what the taker does not take.
-void read_geojson(const InputText& text, const GeoJsonTaker& taker);
+void read_geojson(const InputText& text, const FeatureTaker& taker);
 
 }  // namespace hodt

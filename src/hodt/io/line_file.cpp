@@ -8,22 +8,15 @@
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
-#include "hodt/io/file_name.h"
+#include "hodt/io/formats.h"
 #include "hodt/io/geojson_reader.h"
 
 namespace hodt {
 
 namespace {
 
-InputText input_of(const std::filesystem::path& path) {
-  if (is_geojson_name(path)) return read_input(path);
-  const std::string extension = path.extension().string();
-  throw ParameterError(fmt::format(
-      "cannot read lines from {}: {}; known are .geojson and .json, each also with .gz, and "
-      "ogr2ogr -f GeoJSON writes them from other formats",
-      display_name(path),
-      extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'"));
-}
+/// Hands what a file holds to a taker.
+using Reading = std::function<void(const FeatureTaker&)>;
 
 /// The line with its last vertex at its first: the ring of a polygon, whether or not the file
 /// repeats the first.
@@ -52,40 +45,58 @@ Line ring_of(Line line) {
 }
 
 /// Appends what `line` makes of lines, and rings of polygons, to `lines`; at least one.
-void collect(const InputText& text, std::string_view can_hold,
+void collect(const Reading& read, const std::string& name, std::string_view can_hold,
              const std::function<Line(Line)>& line, std::vector<Line>& lines) {
-  GeoJsonTaker taker;
+  FeatureTaker taker;
   taker.can_hold = can_hold;
   taker.heights = true;
   taker.skips_empty = true;
   taker.line = [&](Line taken) { lines.push_back(line(std::move(taken))); };
   taker.ring = [&](Line ring, bool) { lines.push_back(closed(std::move(ring))); };
-  read_geojson(text, taker);
+  read(taker);
   if (lines.empty())
-    throw InputError(fmt::format("{} holds nothing; {} are what it can hold", text.name, can_hold));
+    throw InputError(fmt::format("{} holds nothing; {} are what it can hold", name, can_hold));
+}
+
+Lines lines_of(const Reading& read, const std::string& name) {
+  Lines lines{{}, name, "feature"};
+  collect(
+      read, name, "lines and polygons", [](Line line) { return line; }, lines.lines);
+  return lines;
+}
+
+Outline outline_of(const Reading& read, const std::string& name) {
+  Outline outline{{}, name, "feature"};
+  collect(read, name, "polygons and closed lines", ring_of, outline.rings);
+  return outline;
+}
+
+Reading reading(const InputText& text) {
+  return [&text](const FeatureTaker& taker) { read_geojson(text, taker); };
+}
+
+Reading reading(const std::filesystem::path& path) {
+  return [&path, &format = format_for(path, Use::read_features)](const FeatureTaker& taker) {
+    format.read_features(path, taker);
+  };
 }
 
 }  // namespace
 
 Lines parse_lines(const InputText& text) {
-  Lines lines{{}, text.name, "feature"};
-  collect(
-      text, "lines and polygons", [](Line line) { return line; }, lines.lines);
-  return lines;
+  return lines_of(reading(text), text.name);
 }
 
 Outline parse_outline(const InputText& text) {
-  Outline outline{{}, text.name, "feature"};
-  collect(text, "polygons and closed lines", ring_of, outline.rings);
-  return outline;
+  return outline_of(reading(text), text.name);
 }
 
 Lines read_lines(const std::filesystem::path& path) {
-  return parse_lines(input_of(path));
+  return lines_of(reading(path), display_name(path));
 }
 
 Outline read_outline(const std::filesystem::path& path) {
-  return parse_outline(input_of(path));
+  return outline_of(reading(path), display_name(path));
 }
 
 }  // namespace hodt

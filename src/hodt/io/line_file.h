@@ -8,7 +8,7 @@
 
 namespace hodt {
 
-/// Reads the lines of a .geojson or .json file (also with .gz; see docs/lines.md), in its order:
+/// Reads the lines of a file of features (formats.h, docs/lines.md), in its order:
 /// LineStrings, and the rings of polygons, closed; at least one. Every coordinate is finite. Parts
 /// are features. Throws FileError if the file cannot be read, InputError, naming the feature, if it
 /// cannot be used or holds points, ParameterError for any other extension.

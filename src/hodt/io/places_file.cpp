@@ -1,10 +1,11 @@
 #include "hodt/io/places_file.h"
 
+#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
 
-#include "hodt/io/file_name.h"
+#include "hodt/io/formats.h"
 #include "hodt/io/geojson_reader.h"
 #include "hodt/io/input_text.h"
 #include "hodt/io/point_file.h"
@@ -20,13 +21,11 @@ Places read_table(const std::filesystem::path& path) {
   return places;
 }
 
-}  // namespace
-
-Places parse_places(const InputText& text) {
+Places places_of(const std::string& name, const std::function<void(const FeatureTaker&)>& read) {
   Places places;
-  places.source = text.name;
+  places.source = name;
   places.part = "feature";
-  GeoJsonTaker taker;
+  FeatureTaker taker;
   taker.can_hold = "points and polygons";
   taker.point = [&](const Point& point, Index feature) {
     places.points.push_back(point);
@@ -39,13 +38,21 @@ Places parse_places(const InputText& text) {
     }
     places.polygons.back().rings.push_back(std::move(ring.xy));
   };
-  read_geojson(text, taker);
+  read(taker);
   return places;
 }
 
+}  // namespace
+
+Places parse_places(const InputText& text) {
+  return places_of(text.name, [&](const FeatureTaker& taker) { read_geojson(text, taker); });
+}
+
 Places read_places(const std::filesystem::path& path) {
-  if (!is_geojson_name(path)) return read_table(path);
-  return parse_places(read_input(path));
+  const Format* format = find_format(path, Use::read_features);
+  if (!format) return read_table(path);
+  return places_of(display_name(path),
+                   [&](const FeatureTaker& taker) { format->read_features(path, taker); });
 }
 
 }  // namespace hodt

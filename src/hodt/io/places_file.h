@@ -8,10 +8,10 @@
 
 namespace hodt {
 
-/// Reads the points and polygons of a .geojson or .json file (also with .gz), single, multiple or
-/// collected; any other file, and "-", is a table that read_points() reads. Their parts are
-/// features (GeoJSON) or points (a table), numbered from 1. Throws FileError if the file cannot be
-/// read, InputError if it cannot be used or holds anything else, such as lines.
+/// Reads the points and polygons of a file of features (formats.h), single, multiple or collected;
+/// any other file, and "-", is a table that read_points() reads. Their parts are features (GeoJSON)
+/// or points (a table), numbered from 1. Throws FileError if the file cannot be read, InputError if
+/// it cannot be used or holds anything else, such as lines.
 Places read_places(const std::filesystem::path& path);
 
 /// The same of GeoJSON in memory.

@@ -12,10 +12,10 @@ namespace hodt {
 /// docs/points.md), also packed with gzip. Every coordinate is finite and points.z is either as
 /// long as points.xy or empty. Throws FileError if the file cannot be read, InputError if it cannot
 /// be used, ParameterError if a chosen column is not there.
-PointTable read_point_table(const std::filesystem::path& path, const ColumnChoice& choice = {});
+PointTable read_point_table(const std::filesystem::path& path, const PointChoice& choice = {});
 
 /// The same without the columns that were taken and without warnings.
-PointSet read_points(const std::filesystem::path& path, const ColumnChoice& choice = {});
+PointSet read_points(const std::filesystem::path& path, const PointChoice& choice = {});
 
 /// Writes points so that read_points() gives them back bit for bit: .csv with the header x,y,z,
 /// .xyz without, each also with .gz; "-" is CSV to standard output. The file appears complete or

@@ -12,6 +12,11 @@
 
 namespace hodt {
 
+/// What the user says of a file of points: how it is to be read.
+struct PointChoice {
+  ColumnChoice columns = {};  ///< of tables
+};
+
 /// Points, and how they were read.
 struct PointTable {
   PointSet points;
