@@ -16,7 +16,7 @@ tools="g++ cmake ninja-build make pkg-config"
 packages="libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev coinor-libclp-dev"
 case $goal in
   build) ;;
-  test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev gdal-bin" ;;
+  test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev libgdal-dev gdal-bin" ;;
   bench) packages="$packages libbenchmark-dev libcgal-dev" ;;
   clang) tools="$tools clang" ;;
   fuzz)

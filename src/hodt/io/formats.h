@@ -42,6 +42,9 @@ struct Format {
 
 std::span<const Format> formats();
 
+/// Whether hodt was built with the formats that need GDAL. If not, using one throws ParameterError.
+bool has_gdal();
+
 enum class Use { read_points, read_features, read_tin, write_points, write_tin, write_features };
 
 bool can(const Format& format, Use use);
