@@ -6,6 +6,7 @@
 #include "hodt/io/file_name.h"
 #include "hodt/io/geojson.h"
 #include "hodt/io/geojson_reader.h"
+#include "hodt/io/geopackage.h"
 #include "hodt/io/input_text.h"
 #include "hodt/io/obj.h"
 #include "hodt/io/ply.h"
@@ -37,6 +38,8 @@ constexpr Format kFormats[] = {
     {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, nullptr, kNoMesh},
     {"GeoJSON", ".geojson .json", true, nullptr, read_geojson_file, nullptr, nullptr, nullptr,
      write_geojson_layer, kNoMesh},
+    {"GeoPackage", ".gpkg", false, nullptr, nullptr, nullptr, nullptr, nullptr, write_geopackage,
+     kNoMesh},
     {"OBJ",
      ".obj",
      true,
