@@ -183,6 +183,7 @@ int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_columns(arguments.input.columns);
   check_output_extension(arguments.output);
+  options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
   check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.keep.places, arguments.output, arguments.json);
   check_constraints(arguments.constraints, arguments.input.file, arguments.output, arguments.json);

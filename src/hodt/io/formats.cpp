@@ -11,6 +11,7 @@
 #include "hodt/io/obj.h"
 #include "hodt/io/ply.h"
 #include "hodt/io/point_text_file.h"
+#include "hodt/io/tin_layer.h"
 
 namespace hodt {
 
@@ -29,6 +30,12 @@ Tin read_mesh(const std::filesystem::path& path) {
   return parse(read_input(path));
 }
 
+/// A polygon a triangle.
+template <void (*write)(const FeatureLayer&, OutputFile&)>
+void write_triangles(const Tin& tin, OutputFile& file) {
+  write(triangle_layer(tin), file);
+}
+
 constexpr Keeps kNoMesh = {false, false, false};
 
 constexpr Format kFormats[] = {
@@ -36,10 +43,6 @@ constexpr Format kFormats[] = {
     // what a mesh keeps
     {"CSV", ".csv", true, read_table, nullptr, nullptr, write_csv, nullptr, nullptr, kNoMesh},
     {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, nullptr, kNoMesh},
-    {"GeoJSON", ".geojson .json", true, nullptr, read_geojson_file, nullptr, nullptr, nullptr,
-     write_geojson_layer, kNoMesh},
-    {"GeoPackage", ".gpkg", false, nullptr, nullptr, nullptr, nullptr, nullptr, write_geopackage,
-     kNoMesh},
     {"OBJ",
      ".obj",
      true,
@@ -60,6 +63,26 @@ constexpr Format kFormats[] = {
      write_ply,
      nullptr,
      {true, true, false}},
+    {"GeoJSON",
+     ".geojson .json",
+     true,
+     nullptr,
+     read_geojson_file,
+     nullptr,
+     nullptr,
+     write_triangles<write_geojson_layer>,
+     write_geojson_layer,
+     {true, true, true}},
+    {"GeoPackage",
+     ".gpkg",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_triangles<write_geopackage>,
+     write_geopackage,
+     {true, true, true}},
 };
 
 bool has_extension(const Format& format, std::string_view extension) {
