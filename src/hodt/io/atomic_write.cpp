@@ -4,10 +4,12 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -68,6 +70,36 @@ int open_retrying(const std::filesystem::path& path, int flags) {
   return descriptor;
 }
 
+/// An empty folder, for a while.
+class TemporaryFolder {
+ public:
+  /// Beside the target, or where temporary files are if that is a device or a pipe.
+  TemporaryFolder(const std::filesystem::path& target, bool is_beside) {
+    const std::filesystem::path like =
+        is_beside ? target : std::filesystem::temp_directory_path() / target.filename();
+    TemporaryFiles& others = temporary_files();
+    const std::unique_lock lock(others.mutex);
+    do {
+      path_ = temporary_name(like);
+      if (::mkdir(path_.c_str(), 0700) == 0) break;
+      if (errno != EEXIST) refuse(path_, std::strerror(errno));
+    } while (true);
+    others.names.insert(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+    const std::unique_lock lock(temporary_files().mutex);
+    temporary_files().names.erase(path_);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), target_(path) {
@@ -99,7 +131,11 @@ void OutputFile::open_temporary() {
   if (descriptor_ < 0) fail(errno);
   temporary_ = name;
   others.names.insert(name);
-  // A file that is replaced keeps its permissions; a new one has the usual ones already.
+  keep_permissions();
+}
+
+/// A file that is replaced keeps its permissions; a new one has the usual ones already.
+void OutputFile::keep_permissions() {
   struct stat status;
   if (::stat(target_.c_str(), &status) == 0 && ::fchmod(descriptor_, status.st_mode & 07777) != 0) {
     fail(errno);
@@ -118,6 +154,39 @@ void OutputFile::write(std::string_view bytes) {
       fail(errno);
     }
   }
+}
+
+void OutputFile::fill_by_name(const std::function<void(const std::filesystem::path&)>& make) {
+  const TemporaryFolder folder(target_, !temporary_.empty());
+  const std::filesystem::path made = folder.path() / target_.filename();
+  make(made);
+  if (temporary_.empty()) {
+    copy(made);
+  } else {
+    take(made);
+  }
+}
+
+/// Takes the place of the temporary file.
+void OutputFile::take(const std::filesystem::path& made) {
+  {
+    const std::unique_lock lock(temporary_files().mutex);
+    if (::rename(made.c_str(), temporary_.c_str()) != 0) fail(errno);
+  }
+  ::close(std::exchange(descriptor_, -1));
+  descriptor_ = open_retrying(temporary_, O_WRONLY | O_APPEND);
+  if (descriptor_ < 0) fail(errno);
+  keep_permissions();
+}
+
+void OutputFile::copy(const std::filesystem::path& made) {
+  std::ifstream stream(made, std::ios::binary);
+  std::vector<char> piece(std::size_t{1} << 20);
+  while (stream) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    write({piece.data(), static_cast<std::size_t>(stream.gcount())});
+  }
+  if (!stream.eof()) refuse(path_, "what was made for it cannot be read: " + made.string());
 }
 
 void OutputFile::finish() {
@@ -180,7 +249,8 @@ void commit_together(std::span<const std::unique_ptr<OutputFile>> files) {
 void abandon_output_files() noexcept {
   TemporaryFiles& all = temporary_files();
   all.mutex.lock();  // and never unlocked
-  for (const std::filesystem::path& name : all.names) ::unlink(name.c_str());
+  std::error_code ignored;
+  for (const std::filesystem::path& name : all.names) std::filesystem::remove_all(name, ignored);
 }
 
 bool is_standard_output(const std::filesystem::path& path) {

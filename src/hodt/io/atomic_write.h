@@ -30,6 +30,11 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view bytes);
+  /// For libraries that make files by themselves: `make` is told a name that ends as the target's
+  /// does, in an empty folder, and what it leaves there becomes all that this file holds. It may
+  /// leave other files beside it, which are removed with the folder, whatever happens. To be called
+  /// once, in place of write().
+  void fill_by_name(const std::function<void(const std::filesystem::path&)>& make);
   /// Everything is on the disk, and nothing more is written: what can fail has failed by now.
   void finish();
   /// Everything is on the disk, and then at the target.
@@ -43,6 +48,9 @@ class OutputFile {
 
   void rename();
   void open_temporary();
+  void keep_permissions();
+  void take(const std::filesystem::path& made);
+  void copy(const std::filesystem::path& made);
   void discard() noexcept;
   [[noreturn]] void fail(int error);
 
@@ -56,8 +64,9 @@ class OutputFile {
 /// Commits all of them, and none if one cannot be finished.
 void commit_together(std::span<const std::unique_ptr<OutputFile>> files);
 
-/// Removes the temporary files of this process, for good: whoever tries to write afterwards waits
-/// for ever. For a program that a signal ends; to be called by a thread, not by a signal handler.
+/// Removes the temporary files and folders of this process, for good: whoever tries to write
+/// afterwards waits for ever. For a program that a signal ends; to be called by a thread, not by a
+/// signal handler.
 void abandon_output_files() noexcept;
 
 /// Whether the path stands for the process's standard output: "-", /dev/stdout and the like.
