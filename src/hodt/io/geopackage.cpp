@@ -355,7 +355,7 @@ void describe(Database& database, const FeatureLayer& layer, const std::string& 
 }  // namespace
 
 void write_geopackage(const FeatureLayer& layer, OutputFile& file) {
-  file.fill([&](const std::filesystem::path& path) {
+  file.fill_by_name([&](const std::filesystem::path& path) {
     Database database(path, file.path());
     database.run(kTables);
     const std::string table = table_name(layer_name(layer, file.path()));
