@@ -57,7 +57,10 @@ TEST_P(TinLayer, HasATriangleAFeature) {
     }
   }
   ASSERT_EQ(features[0].values.size(), 4u);
-  EXPECT_EQ(features[0].values, std::vector<std::string>({"0", "0", "0", "\\N"}));
+  EXPECT_EQ(features[0].values[0], "0");
+  EXPECT_EQ(features[0].values[1], "0");
+  EXPECT_EQ(std::stod(features[0].values[2]), 0);
+  EXPECT_EQ(features[0].values[3], "\\N") << "it is level";
   const Slope slope = slope_of(tin.points.xy[0], tin.points.xy[2], tin.points.xy[3],
                                tin.points.z[0], tin.points.z[2], tin.points.z[3]);
   EXPECT_EQ(features[1].values[0], "3");
@@ -77,10 +80,12 @@ TEST_P(TinLayer, HasNoFieldsOfWhatIsNotKnown) {
   const std::vector<test::OgrFeature> features = test::ogr_features(written(tin));
   ASSERT_EQ(features.size(), 2u);
   EXPECT_EQ(features[0].type, 3u);
-  EXPECT_TRUE(features[0].values.empty());
+  if (GetParam() != std::string(".shp")) {  // where a table has a column in any case
+    EXPECT_TRUE(features[0].values.empty());
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, TinLayer, testing::Values(".geojson", ".gpkg"),
+INSTANTIATE_TEST_SUITE_P(Formats, TinLayer, testing::Values(".geojson", ".gpkg", ".fgb", ".shp"),
                          [](const auto& format) { return std::string(format.param).substr(1); });
 
 }  // namespace

@@ -46,6 +46,9 @@ class OutputFile {
 
   /// As it was named to the constructor.
   const std::filesystem::path& path() const { return path_; }
+  /// Whether a file appears at the end, in place of an old one if there is one; else every byte
+  /// goes directly to where it is read.
+  bool is_replaced() const { return !temporary_.empty(); }
 
  private:
   friend void commit_together(std::span<const std::unique_ptr<OutputFile>> files);

@@ -4,6 +4,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/file_name.h"
+#include "hodt/io/gdal/writers.h"
 #include "hodt/io/geojson.h"
 #include "hodt/io/geojson_reader.h"
 #include "hodt/io/geopackage.h"
@@ -82,6 +83,26 @@ constexpr Format kFormats[] = {
      nullptr,
      write_triangles<write_geopackage>,
      write_geopackage,
+     {true, true, true}},
+    {"FlatGeobuf",
+     ".fgb",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_triangles<write_flatgeobuf>,
+     write_flatgeobuf,
+     {true, true, true}},
+    {"Shapefile",
+     ".shp",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_triangles<write_shapefile>,
+     write_shapefile,
      {true, true, true}},
 };
 

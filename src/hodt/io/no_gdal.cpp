@@ -3,6 +3,7 @@
 // Tested by tests/io/gdal_test.cpp.
 #include "hodt/base/error.h"
 #include "hodt/io/formats.h"
+#include "hodt/io/gdal/writers.h"
 
 namespace hodt {
 
@@ -19,6 +20,18 @@ namespace {
 
 bool has_gdal() {
   return false;
+}
+
+void write_flatgeobuf(const FeatureLayer&, OutputFile&) {
+  refuse();
+}
+
+void write_shapefile(const FeatureLayer&, OutputFile&) {
+  refuse();
+}
+
+std::string crs_definition(const std::string&) {
+  return {};
 }
 
 }  // namespace hodt

@@ -26,8 +26,28 @@ namespace hodt {
   FUNCTION(CSLSetNameValue)            \
   FUNCTION(GDALAllRegister)            \
   FUNCTION(GDALClose)                  \
+  FUNCTION(GDALCreate)                 \
+  FUNCTION(GDALDatasetCreateLayer)     \
   FUNCTION(GDALGetDriverByName)        \
   FUNCTION(GDALOpenEx)                 \
+  FUNCTION(OGR_F_Create)               \
+  FUNCTION(OGR_F_Destroy)              \
+  FUNCTION(OGR_F_SetFieldDouble)       \
+  FUNCTION(OGR_F_SetFieldInteger64)    \
+  FUNCTION(OGR_F_SetFieldNull)         \
+  FUNCTION(OGR_F_SetFieldString)       \
+  FUNCTION(OGR_F_SetGeometryDirectly)  \
+  FUNCTION(OGR_Fld_Create)             \
+  FUNCTION(OGR_Fld_Destroy)            \
+  FUNCTION(OGR_G_CreateFromWkb)        \
+  FUNCTION(OGR_L_CreateFeature)        \
+  FUNCTION(OGR_L_CreateField)          \
+  FUNCTION(OGR_L_GetLayerDefn)         \
+  FUNCTION(OSRExportToWktEx)           \
+  FUNCTION(OSRNewSpatialReference)     \
+  FUNCTION(OSRRelease)                 \
+  FUNCTION(OSRSetAxisMappingStrategy)  \
+  FUNCTION(OSRSetFromUserInput)        \
   FUNCTION(VSIFree)
 
 struct GdalFunctions {
