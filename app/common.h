@@ -96,6 +96,9 @@ inline std::string shown(const std::filesystem::path& path) {
   return printable(path.string());
 }
 
+/// Whether both are written to the same place. An empty path is none.
+bool is_same_output(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Throws if two of them name the same file, or a target cannot be written. An empty path is no
 /// file.
 void check_targets(const std::filesystem::path& input, const std::filesystem::path& output,

@@ -10,6 +10,7 @@
 #include "app/mean_angle.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
+#include "app/what_changed.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -31,6 +32,7 @@ struct Arguments {
   std::string method = "auto";
   std::string time_limit;
   KeepArguments keep;
+  ChangesArguments changes;
   ConstraintArguments constraints;
   std::string threads;
   std::string json;
@@ -177,6 +179,16 @@ TriangulateOptions options_of(const Arguments& arguments) {
   return options;
 }
 
+/// All files that are read.
+std::vector<std::string> inputs_of(const Arguments& arguments) {
+  std::vector<std::string> files = arguments.constraints.breaklines;
+  for (const std::string& file :
+       {arguments.input.file, arguments.keep.places, arguments.constraints.outline,
+        arguments.constraints.keep_edges})
+    files.push_back(file);
+  return files;
+}
+
 int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
   TriangulateOptions options = options_of(arguments);
@@ -187,6 +199,9 @@ int run(const Arguments& arguments) {
   check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.keep.places, arguments.output, arguments.json);
   check_constraints(arguments.constraints, arguments.input.file, arguments.output, arguments.json);
+
+  check_changes(arguments.changes, inputs_of(arguments), {{arguments.output, arguments.json}});
+  options.tell_changes = arguments.changes.any();
 
   Stopwatch watch;
   TriangulateResult result;
@@ -214,6 +229,7 @@ int run(const Arguments& arguments) {
     OutputFile& mesh = outputs.open(arguments.output);
     write_tin(result.tin, mesh);
     mesh.finish();
+    write_changes(arguments.changes, result, outputs);
     result.report.seconds.write = watch.lap();
     print_warnings(arguments.input.file, source.table);
   }
@@ -230,7 +246,7 @@ void add_triangulate(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("triangulate", "Triangulate points, with low order and few pits");
   add_points_input(command, arguments->input);
-  command.add_option("-o,--output", arguments->output, "Mesh to write: .obj or .ply")
+  command.add_option("-o,--output", arguments->output, "Mesh to write: .obj, .ply, or polygons: .gpkg, .geojson, .fgb, .shp")
       ->required()
       ->type_name("OUTPUT");
   command
@@ -250,6 +266,7 @@ void add_triangulate(CLI::App& app, Action& action) {
                   "Seconds that the search may take (default: 0, no limit)")
       ->type_name("S");
   add_keep(command, arguments->keep);
+  add_changes(command, arguments->changes);
   add_constraints(command, arguments->constraints);
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
