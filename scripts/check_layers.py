@@ -6,7 +6,7 @@
 
 A layer may include itself and the layers that it links in src/hodt/CMakeLists.txt, directly or
 through others. A room, which is a folder of a layer, may include of that layer only itself and what
-its line there names. Only io names zlib. No file tells where it was written: an absolute path into
+its line there names. Only io names zlib, only its room gdal GDAL. No file tells where it was written: an absolute path into
 somebody's home or workplace is of no use to anyone else.
 
 Prints each violation as file:line: what is wrong, and exits 1 if there is any.
@@ -22,6 +22,8 @@ ROOM = re.compile(r"^\s*hodt_room\(\s*(\w+)/(\w+)([^)]*)\)", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 ABSOLUTE = re.compile(r"(?<![\w./$}~])/(?:home|root|work|workspace|Users|mnt)/\w")
 ZLIB_ONLY_IN = {"io"}
+GDAL_HEADER = re.compile(r"(gdal|ogr|cpl)_?\w*\.h")
+GDAL_ONLY_IN = ("io", "gdal")
 
 # The folders of src/hodt that are no layers, and files directly in it (the pipeline), may include
 # everything; so may programs and tests.
@@ -102,6 +104,8 @@ def check_source(path, text, allowed, rooms):
         target = include.group(2)
         if target == "zlib.h" and layer not in ZLIB_ONLY_IN:
             yield number, f"layer {layer} names zlib; only {', '.join(ZLIB_ONLY_IN)} does"
+        if GDAL_HEADER.fullmatch(target) and (layer, room) != GDAL_ONLY_IN:
+            yield number, f"{layer} names GDAL; only {'/'.join(GDAL_ONLY_IN)} does"
         if target.startswith(("app/", "tests/", "bench/")):
             yield number, f"layer {layer} includes {target}, which is no part of the library"
         if not target.startswith("hodt/"):
@@ -170,13 +174,14 @@ hodt_layer(delaunay LINK hodt_geometry)
 hodt_room(delaunay/sort)
 hodt_room(delaunay/join MAY sort view)
 hodt_layer(io LINK hodt_base ZLIB::ZLIB)
+hodt_room(io/gdal)
 """
     allowed = allowed_layers(cmake)
     assert allowed["delaunay"] == {"base", "geometry", "delaunay"}, allowed
     assert allowed["io"] == {"base", "io"}, allowed
     assert list(check_order(cmake)) == []
     upward = cmake + "hodt_layer(a LINK hodt_b)\nhodt_layer(b)\n"
-    assert [line for line, _ in check_order(upward)] == [8]
+    assert [line for line, _ in check_order(upward)] == [9]
 
     rooms = allowed_rooms(cmake)
     assert rooms["delaunay", "join"] == {"join", "sort", "view"}, rooms
@@ -192,6 +197,8 @@ hodt_layer(io LINK hodt_base ZLIB::ZLIB)
     assert lines("src/hodt/geometry/x.cpp", fine) == [3]
     assert lines("src/hodt/io/gzip.cpp", "#include <zlib.h>\n") == []
     assert lines("src/hodt/base/x.h", "\n#include <zlib.h>\n") == [2]
+    assert lines("src/hodt/io/gdal/x.h", "#include <gdal.h>\n") == []
+    assert lines("src/hodt/io/x.h", "#include <ogr_api.h>\n") == [1]
     assert lines("src/hodt/base/x.h", '#include "hodt/pipeline.h"\n') == [1]
     assert lines("src/hodt/base/x.h", '#include "app/common.h"\n') == [1]
     assert lines("src/hodt/new/x.h", "") == [1]

@@ -13,10 +13,10 @@ export LC_ALL=C
 goal=${1:-build}
 folder=${2:-}
 tools="g++ cmake ninja-build make pkg-config"
-packages="libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev coinor-libclp-dev"
+packages="libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev libsqlite3-dev coinor-libclp-dev"
 case $goal in
   build) ;;
-  test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev" ;;
+  test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev libgdal-dev gdal-bin" ;;
   bench) packages="$packages libbenchmark-dev libcgal-dev" ;;
   clang) tools="$tools clang" ;;
   fuzz)

@@ -135,10 +135,26 @@ void compare_with_given(const DelaunayGraph& graph, std::span<const double> z,
   value.optimal = value.result == value.bound;
 }
 
+/// Fills what the report says of the orders; returns those of the triangles, if they are to be
+/// told.
+std::vector<Index> count_orders(const DelaunayGraph& graph, const MeshChange& change,
+                                const TriangulateOptions& options, Report& report) {
+  std::vector<Index> orders;
+  if (options.tell_orders) orders = triangle_orders(graph, change);
+  report.order_histogram =
+      options.tell_orders ? order_histogram(orders) : order_histogram(graph, change);
+  report.order = static_cast<Index>(report.order_histogram.size() - 1);
+  if (report.order > options.order)
+    throw_defect(fmt::format("a triangle is of order {} where {} was asked for", report.order,
+                             options.order));
+  return orders;
+}
+
 /// Optimises a Delaunay triangulation, and verifies the result; fills what the report says of it.
-void optimize_and_verify(Delaunay& delaunay, const MinimaToKeep& keep,
-                         const std::optional<TriangleMesh>& given,
-                         const TriangulateOptions& options, Report& report) {
+/// Returns the orders of the triangles, if they are to be told.
+std::vector<Index> optimize_and_verify(Delaunay& delaunay, const MinimaToKeep& keep,
+                                       const std::optional<TriangleMesh>& given,
+                                       const TriangulateOptions& options, Report& report) {
   const Deadline deadline(options.time_limit);
   DelaunayGraph graph(delaunay);
   if (options.order > 1) graph.list_neighbours_if_hubs(deadline);
@@ -152,13 +168,10 @@ void optimize_and_verify(Delaunay& delaunay, const MinimaToKeep& keep,
   if (report.given)
     compare_with_given(graph, delaunay.vertices.z, *given, keep, options, optimum, report);
   verify_mesh(graph, optimum.change);
-  report.order_histogram = order_histogram(graph, optimum.change);
-  report.order = static_cast<Index>(report.order_histogram.size() - 1);
-  if (report.order > options.order)
-    throw_defect(fmt::format("a triangle is of order {} where {} was asked for", report.order,
-                             options.order));
+  std::vector<Index> orders = count_orders(graph, optimum.change, options, report);
   report.value = optimum.value;
   std::move(optimum.change).apply_to(delaunay.mesh);
+  return orders;
 }
 
 }  // namespace
@@ -216,10 +229,13 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
 
   Stopwatch watch;
   if (options.objective != Objective::none) {
-    optimize_and_verify(delaunay, prepared.keep, prepared.given, options, report);
+    result.tin.order =
+        optimize_and_verify(delaunay, prepared.keep, prepared.given, options, report);
     report.seconds.optimize += watch.lap();
     if (points.has_heights())
       report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
+  } else if (options.tell_orders) {
+    result.tin.order.assign(delaunay.mesh.triangle_count(), 0);
   }
   if (options.measure_pits && points.has_heights())
     report.pits = pit_totals(delaunay.mesh, vertices.xy, vertices.z);

@@ -37,6 +37,8 @@ struct TriangulateOptions {
   /// Whether the report says how deep the pits are and what they hold. The flood for it takes
   /// longer than the triangulation.
   bool measure_pits = false;
+  /// Whether the TIN tells the order of each triangle.
+  bool tell_orders = false;
   /// Told what the job is doing; may be empty.
   Progress progress = {};
 };

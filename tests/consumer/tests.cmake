@@ -64,3 +64,5 @@ hodt_configure_test(tests_left_out ${PROJECT_SOURCE_DIR} "tests are left out: th
 hodt_configure_test(tests_asked_for ${PROJECT_SOURCE_DIR} "HODT_BUILD_TESTS is ON, but the tests need GTest"
                     -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DHODT_BUILD_TESTS=ON)
 add_test(NAME package.presets COMMAND ${consumer}/presets.sh ${PROJECT_SOURCE_DIR} ${scratch}/presets)
+hodt_configure_test(without_gdal ${PROJECT_SOURCE_DIR} "formats that need GDAL are left out"
+                    ${without_programs} -DHODT_BUILD_COMMAND=OFF -DCMAKE_DISABLE_FIND_PACKAGE_GDAL=ON)

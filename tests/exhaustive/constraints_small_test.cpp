@@ -355,14 +355,28 @@ std::string why_not_value(const Known& known, const ConstrainedCatalogue& catalo
   return "";
 }
 
+std::string why_not_told(const Known& known, const hodt::Tin& tin) {
+  const auto corners = [&](const Triangle& t) {
+    return Triangle{known.used[std::size_t(t[0])], known.used[std::size_t(t[1])],
+                    known.used[std::size_t(t[2])]};
+  };
+  return why_not_told(
+      tin, true, [&](const Triangle& t) { return known.constrained.triangle_order(corners(t)); },
+      [&](const Triangle& t) {
+        const Triangles one = known.given.instance().canonical({corners(t)});
+        return std::ranges::count(known.kept, one.front()) > 0;
+      });
+}
+
 /// All that is said of a result, on one thread and on two.
 std::string why_wrong(const Known& known, const ConstrainedCatalogue& catalogue,
                       const hodt::Constraints& constraints, const Job& run) {
   const Instance& instance = known.given.instance();
-  const hodt::TriangulateOptions options{
+  hodt::TriangulateOptions options{
       .order = hodt::Index(run.k), .objective = run.objective, .method = run.method};
   const auto on_threads = [&](std::size_t threads) {
     const hodt::ThreadLimit limit(threads);
+    options.tell_orders = threads == 2;
     return hodt::triangulate(to_point_set(instance), options, constraints);
   };
   const auto result = on_threads(2);
@@ -376,6 +390,7 @@ std::string why_wrong(const Known& known, const ConstrainedCatalogue& catalogue,
     triangles.push_back({known.used[a], known.used[b], known.used[c]});
     if (instance.orient(known.used[a], known.used[b], known.used[c]) <= 0) return "clockwise";
   }
+  if (auto why = why_not_told(known, result.tin); !why.empty()) return why;
   triangles = instance.canonical(triangles);
   if (auto why = why_not_mesh(known, catalogue, result, triangles, run.k); !why.empty()) return why;
   return why_not_value(known, catalogue, result, triangles, run);

@@ -1,6 +1,7 @@
 // One run of hodt::triangulate against everything that the oracle knows about it.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <optional>
@@ -76,6 +77,35 @@ inline bool same(const oracle::SplitCount& a, const hodt::SplitCount& b) {
 
 inline bool same(const oracle::ExtremaCount& a, const std::optional<hodt::ExtremaCount>& b) {
   return b && same(a.minima, b->minima) && same(a.maxima, b->maxima) && same(a.pits, b->pits);
+}
+
+/// What the TIN says of its triangles, if it says anything, against their orders by definition, and
+/// against the Delaunay triangulation.
+template <class OrderOf, class IsDelaunay>
+std::string why_not_told(const hodt::Tin& tin, bool asked, const OrderOf& order_of,
+                         const IsDelaunay& is_delaunay) {
+  if (!asked) return tin.order.empty() ? "" : "orders that nobody asked for";
+  if (tin.order.size() != tin.triangles.size()) return "not every order is told";
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    const auto& [a, b, c] = tin.triangles[t];
+    const oracle::Triangle corners{static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)};
+    if (static_cast<int>(tin.order[t]) != order_of(corners)) return "another order";
+    if (tin.is_changed(t) == is_delaunay(corners)) return "changed, or not";
+  }
+  return "";
+}
+
+inline std::string why_not_told(const oracle::Instance& instance, const hodt::Tin& tin,
+                                bool asked) {
+  const oracle::Triangles delaunay = instance.delaunay();
+  return why_not_told(
+      tin, asked,
+      [&](const oracle::Triangle& t) {
+        return static_cast<int>(instance.triangle_order(t[0], t[1], t[2]));
+      },
+      [&](const oracle::Triangle& t) {
+        return std::ranges::count(delaunay, instance.canonical({t}).front()) > 0;
+      });
 }
 
 /// The triangles: a triangulation of all the points, of order <= k, counter-clockwise, and

@@ -86,7 +86,9 @@ TEST_P(Small, order_0_is_the_delaunay_triangulation) {
     hodt::TriangulateOptions options;
     options.order = 0;
     options.objective = Objective::none;
+    options.tell_orders = true;
     const auto result = triangulate(to_point_set(instance), options);
+    ASSERT_EQ(why_not_told(instance, result.tin, true), "");
     ASSERT_EQ(why_not_k_od(instance, result, 0), "") << describe(instance, Objective::none, 0);
     ASSERT_EQ(instance.canonical(to_oracle(result.tin)), instance.delaunay())
         << describe(instance, Objective::none, 0);
@@ -106,8 +108,11 @@ TEST_P(Small, no_better_than_the_optimum_and_no_worse_than_promised) {
       for (int k = 0; k <= kLargestOrder; ++k) {
         for (const Objective objective : kObjectives) {
           const int optimum = optimum_of(objective, optima, k);
-          const auto result =
-              triangulate(points, {.order = hodt::Index(k), .objective = objective});
+          const bool tell = seed % 2;
+          const auto result = triangulate(
+              points, {.order = hodt::Index(k), .objective = objective, .tell_orders = tell});
+          ASSERT_EQ(why_not_told(instance, result.tin, tell), "")
+              << describe(instance, objective, k);
           ASSERT_EQ(why_wrong(instance, delaunay, result, objective, k, optimum), "")
               << describe(instance, objective, k) << " optimum " << optimum;
           count(k, *result.report.value, optimum);

@@ -2,10 +2,12 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "temporary_directory.h"
@@ -68,6 +70,73 @@ TEST(AtomicWrite, RefusesLinksWithoutAnEnd) {
   EXPECT_NE(message.find("Too many levels of symbolic links"), std::string::npos) << message;
   EXPECT_TRUE(std::filesystem::is_symlink(here));
   EXPECT_EQ(directory.entries(), 2u);
+}
+
+void put(const std::filesystem::path& path, std::string_view content) {
+  std::ofstream(path, std::ios::binary) << content;
+}
+
+TEST(AtomicWrite, LibrariesFillFilesByTheirPaths) {
+  const TemporaryDirectory directory;
+  const auto old = directory.file("old.shp", "before");
+  ::chmod(old.c_str(), 0600);
+  directory.file("old.dbf", "before");
+  directory.file("old.qix", "before");
+  directory.file("other.qix", "before");
+  const auto fill = [&](const std::filesystem::path& path) {
+    EXPECT_EQ(path.filename(), "old.shp");
+    put(path, "after");
+    put(std::filesystem::path(path).replace_extension(".shx"), "new");
+    put(std::filesystem::path(path).replace_extension(".dbf"), "after");
+  };
+  {
+    OutputFile file(old);
+    file.fill(fill, ".dbf .shx .qix");
+    file.finish();
+    EXPECT_EQ(content_of(old), "before");
+    EXPECT_EQ(content_of(directory / "old.dbf"), "before");
+    EXPECT_FALSE(std::filesystem::exists(directory / "old.shx"));
+  }
+  EXPECT_EQ(directory.entries(), 4u) << "not committed";
+  atomic_write(old, [&](OutputFile& file) { file.fill(fill, ".dbf .shx .qix"); });
+  EXPECT_EQ(content_of(old), "after");
+  EXPECT_EQ(mode_of(old), mode_t{0600});
+  EXPECT_EQ(content_of(directory / "old.dbf"), "after");
+  EXPECT_EQ(content_of(directory / "old.shx"), "new");
+  EXPECT_FALSE(std::filesystem::exists(directory / "old.qix")) << "of the old file";
+  EXPECT_EQ(content_of(directory / "other.qix"), "before");
+  EXPECT_EQ(directory.entries(), 4u);
+}
+
+TEST(AtomicWrite, LibrariesThatFailLeaveNothing) {
+  const TemporaryDirectory directory;
+  const auto old = directory.file("old.gpkg", "before");
+  const auto write = [&](const std::filesystem::path& path) {
+    atomic_write(path, [](OutputFile& file) {
+      file.fill([](const std::filesystem::path& made) {
+        put(made, "half");
+        throw FileError("the disk is full");
+      });
+    });
+  };
+  EXPECT_EQ(message_of<FileError>([&] { write(old); }), "the disk is full");
+  EXPECT_EQ(message_of<FileError>([&] { write(directory / "new.gpkg"); }), "the disk is full");
+  EXPECT_EQ(content_of(old), "before");
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(AtomicWrite, LibrariesFillPipes) {
+  const TemporaryDirectory directory;
+  ASSERT_EQ(::mkfifo((directory / "pipe").c_str(), 0600), 0);
+  std::string read;
+  std::thread reader([&] { read = content_of(directory / "pipe"); });
+  const std::string content(3'000'000, 'a');
+  atomic_write(directory / "pipe", [&](OutputFile& file) {
+    file.fill([&](const std::filesystem::path& path) { put(path, content); });
+  });
+  reader.join();
+  EXPECT_TRUE(read == content) << read.size();
+  EXPECT_EQ(directory.entries(), 1u);
 }
 
 TEST(AtomicWrite, CommitsAllOrNone) {

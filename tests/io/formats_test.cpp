@@ -12,8 +12,8 @@
 namespace hodt {
 namespace {
 
-constexpr Use kUses[] = {Use::read_points, Use::read_features, Use::read_tin, Use::write_points,
-                         Use::write_tin};
+constexpr Use kUses[] = {Use::read_points,  Use::read_features, Use::read_tin,
+                         Use::write_points, Use::write_tin,     Use::write_features};
 
 TEST(Formats, AreToldByTheirExtensions) {
   for (const Use use : kUses) {

@@ -91,6 +91,12 @@ TEST_P(OrderFamilies, histogram_of_a_changed_triangulation) {
       }
       const TriangleMesh mesh = support::make_mesh(d.vertices.size(), to_list(each.triangles));
       ASSERT_EQ(order_histogram(graph, mesh), expected);
+      const std::vector<Index> orders = triangle_orders(graph, MeshChange(mesh));
+      ASSERT_EQ(order_histogram(orders), expected);
+      for (std::size_t t = 0; t < orders.size(); ++t) {
+        const auto& [a, b, c] = each.triangles[t];
+        ASSERT_EQ(int(orders[t]), instance.triangle_order(a, b, c));
+      }
       ASSERT_EQ(expected.size(), std::size_t(each.order) + 1);
       // The same corners in another order are no other triangle.
       List turned = to_list(each.triangles);
@@ -110,10 +116,13 @@ TEST(MeshOrder, of_flips) {
   const std::vector<HalfEdgeId> flips = first_order_edges(graph);
   const MeshChange change(flips);
   EXPECT_EQ(order_histogram(graph, change), order_histogram(graph, change.applied_to(d.mesh)));
+  EXPECT_EQ(triangle_orders(graph, change),
+            triangle_orders(graph, MeshChange(change.applied_to(d.mesh))));
   EXPECT_EQ(order_histogram(graph, MeshChange()), order_histogram(graph, d.mesh));
   HalfEdgeId beside = TriangleMesh::next(flips.front());
   if (d.mesh.is_boundary(beside)) beside = TriangleMesh::next(beside);
   EXPECT_THROW(order_histogram(graph, MeshChange({flips.front(), beside})), std::logic_error);
+  EXPECT_THROW(triangle_orders(graph, MeshChange({flips.front(), beside})), std::logic_error);
 }
 
 TEST(MeshOrder, points_that_are_no_corner_count) {

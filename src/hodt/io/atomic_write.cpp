@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <mutex>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -26,7 +28,7 @@ std::string output_name(const std::filesystem::path& path) {
   throw FileError(fmt::format("cannot write {}: {}", output_name(path), why));
 }
 
-/// The temporary files that there are. Their names change under the lock.
+/// The temporary files and folders that there are. Their names change under the lock.
 struct TemporaryFiles {
   std::recursive_mutex mutex;  // a failure under the lock removes its file
   std::set<std::filesystem::path> names;
@@ -67,6 +69,35 @@ int open_retrying(const std::filesystem::path& path, int flags) {
   } while (descriptor < 0 && errno == EINTR);
   return descriptor;
 }
+
+/// A folder that is there for one library to write in, and goes with all that it holds.
+class TemporaryFolder {
+ public:
+  /// Beside the target, or where the system has such folders if nothing can be moved there.
+  TemporaryFolder(const std::filesystem::path& target, bool beside) {
+    const std::unique_lock lock(temporary_files().mutex);
+    std::error_code error;
+    do {
+      path_ = temporary_name(beside ? target
+                                    : std::filesystem::temp_directory_path() / target.filename());
+    } while (!std::filesystem::create_directory(path_, error) && !error);
+    if (error) refuse(target, error.message());
+    temporary_files().names.insert(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+    const std::unique_lock lock(temporary_files().mutex);
+    temporary_files().names.erase(path_);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace
 
@@ -120,7 +151,55 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+void OutputFile::fill(const std::function<void(const std::filesystem::path&)>& fill,
+                      std::string_view extensions) {
+  const TemporaryFolder folder(target_, !temporary_.empty());
+  const std::filesystem::path made = folder.path() / target_.filename();
+  fill(made);
+  take(made);
+  take_companions(folder.path(), extensions);
+}
+
+/// A file that was made on the same file system moves; through pipes and the like its bytes go.
+void OutputFile::take(const std::filesystem::path& made) {
+  if (temporary_.empty()) {
+    std::ifstream bytes(made, std::ios::binary);
+    std::vector<char> piece(1 << 20);
+    while (bytes.read(piece.data(), std::ssize(piece)) || bytes.gcount() > 0)
+      write({piece.data(), static_cast<std::size_t>(bytes.gcount())});
+    if (bytes.bad() || !bytes.eof()) fail(EIO);
+    std::filesystem::remove(made);
+    return;
+  }
+  struct stat status;
+  const int descriptor = open_retrying(made, O_WRONLY);
+  if (descriptor < 0) fail(errno);
+  ::close(std::exchange(descriptor_, descriptor));
+  const std::unique_lock lock(temporary_files().mutex);
+  if (::stat(temporary_.c_str(), &status) != 0 ||
+      ::fchmod(descriptor_, status.st_mode & 07777) != 0 ||
+      ::rename(made.c_str(), temporary_.c_str()) != 0)
+    fail(errno);
+}
+
+void OutputFile::take_companions(const std::filesystem::path& folder, std::string_view extensions) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path name = entry.path().filename();
+    companions_.push_back(std::make_unique<OutputFile>(directory_of(target_) / name));
+    companions_.back()->take(entry.path());
+  }
+  std::istringstream rest{std::string(extensions)};
+  for (std::string extension; rest >> extension;) {
+    const std::filesystem::path old = std::filesystem::path(target_).replace_extension(extension);
+    const auto is_made = [&](const auto& file) {
+      return file->path().filename() == old.filename();
+    };
+    if (std::none_of(companions_.begin(), companions_.end(), is_made)) outdated_.push_back(old);
+  }
+}
+
 void OutputFile::finish() {
+  for (const auto& file : companions_) file->finish();
   if (descriptor_ < 0) return;
   // Some file systems have nothing to synchronise and say so.
   if (!temporary_.empty() && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
@@ -138,6 +217,8 @@ void OutputFile::commit() {
 /// REQUIRES the lock of the temporary files.
 void OutputFile::rename() {
   if (temporary_.empty()) return;
+  for (const auto& file : companions_) file->rename();
+  for (const std::filesystem::path& old : outdated_) ::unlink(old.c_str());
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_files().names.erase(temporary_);
   temporary_.clear();
@@ -180,7 +261,8 @@ void commit_together(std::span<const std::unique_ptr<OutputFile>> files) {
 void abandon_output_files() noexcept {
   TemporaryFiles& all = temporary_files();
   all.mutex.lock();  // and never unlocked
-  for (const std::filesystem::path& name : all.names) ::unlink(name.c_str());
+  std::error_code ignored;
+  for (const std::filesystem::path& name : all.names) std::filesystem::remove_all(name, ignored);
 }
 
 bool is_standard_output(const std::filesystem::path& path) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hodt/base/error.h"
 
@@ -30,6 +31,13 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view bytes);
+  /// In place of write(): for a library that insists on a path. `fill` gets a path of the target's
+  /// name in a folder that is there for it alone. What it leaves there becomes the file; it may
+  /// leave others of the same name with other extensions beside it, which appear with the file.
+  /// Such companions of the target as have one of the `extensions`, each with its dot and separated
+  /// by blanks, and are not left there again, go away when the file appears.
+  void fill(const std::function<void(const std::filesystem::path&)>& fill,
+            std::string_view extensions = {});
   /// Everything is on the disk, and nothing more is written: what can fail has failed by now.
   void finish();
   /// Everything is on the disk, and then at the target.
@@ -43,6 +51,8 @@ class OutputFile {
 
   void rename();
   void open_temporary();
+  void take(const std::filesystem::path& made);
+  void take_companions(const std::filesystem::path& folder, std::string_view extensions);
   void discard() noexcept;
   [[noreturn]] void fail(int error);
 
@@ -51,6 +61,8 @@ class OutputFile {
   std::filesystem::path temporary_;  ///< empty if writing directly
   int descriptor_ = -1;
   bool owns_descriptor_ = true;
+  std::vector<std::unique_ptr<OutputFile>> companions_;
+  std::vector<std::filesystem::path> outdated_;  ///< companions that go away
 };
 
 /// Commits all of them, and none if one cannot be finished.

@@ -4,7 +4,9 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/file_name.h"
+#include "hodt/io/geojson.h"
 #include "hodt/io/geojson_reader.h"
+#include "hodt/io/geopackage.h"
 #include "hodt/io/input_text.h"
 #include "hodt/io/obj.h"
 #include "hodt/io/ply.h"
@@ -30,10 +32,13 @@ Tin read_mesh(const std::filesystem::path& path) {
 constexpr Keeps kNoMesh = {false, false, false};
 
 constexpr Format kFormats[] = {
-    // name, extensions, packed, points, features, mesh, write points, write mesh, what that keeps
-    {"CSV", ".csv", true, read_table, nullptr, nullptr, write_csv, nullptr, kNoMesh},
-    {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, kNoMesh},
+    // name, extensions, packed, points, features, mesh, write points, write mesh, write features,
+    // what a mesh keeps
+    {"CSV", ".csv", true, read_table, nullptr, nullptr, write_csv, nullptr, nullptr, kNoMesh},
+    {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, nullptr, kNoMesh},
     {"GeoJSON", ".geojson .json", true, nullptr, read_geojson_file, nullptr, nullptr, nullptr,
+     write_geojson_layer, kNoMesh},
+    {"GeoPackage", ".gpkg", false, nullptr, nullptr, nullptr, nullptr, nullptr, write_geopackage,
      kNoMesh},
     {"OBJ",
      ".obj",
@@ -43,6 +48,7 @@ constexpr Format kFormats[] = {
      read_mesh<parse_obj>,
      nullptr,
      write_obj,
+     nullptr,
      {true, true, false}},
     {"PLY",
      ".ply",
@@ -52,6 +58,7 @@ constexpr Format kFormats[] = {
      read_mesh<parse_ply>,
      nullptr,
      write_ply,
+     nullptr,
      {true, true, false}},
 };
 
@@ -65,13 +72,18 @@ bool has_extension(const Format& format, std::string_view extension) {
   return false;
 }
 
+/// Meshes and features are never written packed.
+bool may_be_packed(Use use) {
+  return use != Use::write_tin && use != Use::write_features;
+}
+
 std::string extension_of(const std::filesystem::path& path, Use use) {
-  return use == Use::write_tin ? lower_extension(path) : format_extension(path);
+  return may_be_packed(use) ? format_extension(path) : lower_extension(path);
 }
 
 std::string known_extensions(Use use) {
   std::string known;
-  bool packed = use != Use::write_tin;
+  bool packed = may_be_packed(use);
   for (const Format& format : kFormats) {
     if (!can(format, use)) continue;
     for (const char c : format.extensions) {
@@ -97,6 +109,8 @@ std::string_view doing(Use use) {
       return "write points to";
     case Use::write_tin:
       return "write a mesh to";
+    case Use::write_features:
+      return "write features to";
   }
   return {};
 }
@@ -119,6 +133,8 @@ bool can(const Format& format, Use use) {
       return format.write_points != nullptr;
     case Use::write_tin:
       return format.write_tin != nullptr;
+    case Use::write_features:
+      return format.write_features != nullptr;
   }
   return false;
 }

@@ -9,6 +9,7 @@
 
 #include "hodt/geometry/point_set.h"
 #include "hodt/io/atomic_write.h"
+#include "hodt/io/feature_layer.h"
 #include "hodt/io/features.h"
 #include "hodt/io/point_table.h"
 #include "hodt/tin/tin.h"
@@ -23,7 +24,7 @@ struct Keeps {
 };
 
 /// A format. What it cannot do is nullptr. The functions throw what those of point_file.h,
-/// places_file.h, line_file.h and tin_file.h do, which are what users call.
+/// places_file.h, line_file.h, tin_file.h and feature_file.h do, which are what users call.
 struct Format {
   std::string_view name;
   /// Of file names: in lower case, separated by spaces.
@@ -35,12 +36,16 @@ struct Format {
   Tin (*read_tin)(const std::filesystem::path&);
   void (*write_points)(const PointSet&, OutputFile&);
   void (*write_tin)(const Tin&, OutputFile&);
+  void (*write_features)(const FeatureLayer&, OutputFile&);
   Keeps keeps;
 };
 
 std::span<const Format> formats();
 
-enum class Use { read_points, read_features, read_tin, write_points, write_tin };
+/// Whether hodt was built with the formats that need GDAL. If not, using one throws ParameterError.
+bool has_gdal();
+
+enum class Use { read_points, read_features, read_tin, write_points, write_tin, write_features };
 
 bool can(const Format& format, Use use);
 

@@ -1,5 +1,5 @@
-// GeoJSON (RFC 7946), as far as it takes to write polygons.
-// Tested by tests/io/places_file_test.cpp.
+// GeoJSON (RFC 7946) to write.
+// Tested by tests/io/feature_file_test.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include "hodt/base/ids.h"
 #include "hodt/geometry/point.h"
 #include "hodt/io/atomic_write.h"
+#include "hodt/io/feature_layer.h"
 
 namespace hodt {
 
@@ -24,5 +25,10 @@ struct PolygonFeature {
 /// the number written.
 std::size_t write_geojson(OutputFile& file, std::size_t count,
                           const std::function<void(std::size_t, PolygonFeature&)>& make);
+
+/// Writes a layer, every feature on a line of its own. RFC 7946 knows no coordinate reference
+/// system but longitude and latitude; any other is named by the member "crs", which the format had
+/// before and most programs still read.
+void write_geojson_layer(const FeatureLayer& layer, OutputFile& file);
 
 }  // namespace hodt

@@ -87,6 +87,10 @@ InputText read_input(const std::filesystem::path& path) {
   return input;
 }
 
+void require_readable(const std::filesystem::path& path) {
+  open_input(path, display_name(path));
+}
+
 void require_text(const InputText& input) {
   const std::string_view text = input.view();
   if (text.empty()) throw InputError(fmt::format("{} is empty", input.name));

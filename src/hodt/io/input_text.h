@@ -34,6 +34,9 @@ struct InputText {
 /// be read, InputError if it is damaged.
 InputText read_input(const std::filesystem::path& path);
 
+/// Throws FileError if the file cannot be opened to read it.
+void require_readable(const std::filesystem::path& path);
+
 /// Throws InputError if the input is empty or is no text.
 void require_text(const InputText& input);
 

@@ -31,15 +31,20 @@ void check_apart(const TriangleMesh& mesh, std::span<const HalfEdgeId> flips) {
         throw std::logic_error("two flips in one triangle");
 }
 
-}  // namespace
+/// Triangles that are not in the place that they have in the Delaunay triangulation, if anywhere
+/// there, with their orders.
+struct Replaced {
+  std::vector<TriangleId> triangles;
+  std::vector<Index> orders;
+};
 
-std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const TriangleMesh& mesh) {
+Replaced count_replaced(const DelaunayGraph& graph, const TriangleMesh& mesh) {
   const auto find_changed = [&](std::size_t first, std::size_t last,
                                 std::vector<TriangleId>& found) {
     for (auto t = TriangleId(Index(first)); t < last; t = TriangleId(t + 1))
       if (mesh.corners(t) != graph.mesh.corners(t)) found.push_back(t);
   };
-  const std::vector<TriangleId> changed =
+  std::vector<TriangleId> changed =
       parallel_collect<TriangleId>(0, mesh.triangle_count(), 1 << 14, find_changed);
   std::vector<Index> orders(changed.size());
   SoleInside sole(graph);
@@ -60,12 +65,22 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
           counter.count(a, b, c, kUnlimited, lost.valid() ? graph.mesh.origin(lost) : VertexId());
     }
   });
+  return {std::move(changed), std::move(orders)};
+}
 
-  std::vector<std::size_t> histogram(1, mesh.triangle_count() - changed.size());
+void count(std::vector<std::size_t>& histogram, std::span<const Index> orders) {
   for (const Index order : orders) {
     if (histogram.size() <= order) histogram.resize(order + 1, 0);
     ++histogram[order];
   }
+}
+
+}  // namespace
+
+std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const TriangleMesh& mesh) {
+  const Replaced replaced = count_replaced(graph, mesh);
+  std::vector<std::size_t> histogram(1, mesh.triangle_count() - replaced.orders.size());
+  count(histogram, replaced.orders);
   return histogram;
 }
 
@@ -76,6 +91,26 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const MeshC
   const std::size_t triangles = graph.mesh.triangle_count(), changed = 2 * flips.size();
   if (flips.empty()) return {triangles};
   return {triangles - changed, changed};
+}
+
+std::vector<Index> triangle_orders(const DelaunayGraph& graph, const MeshChange& change) {
+  std::vector<Index> orders(graph.mesh.triangle_count(), 0);
+  if (change.mesh()) {
+    const Replaced replaced = count_replaced(graph, *change.mesh());
+    for (std::size_t i = 0; i < replaced.orders.size(); ++i)
+      orders[replaced.triangles[i]] = replaced.orders[i];
+    return orders;
+  }
+  check_apart(graph.mesh, change.flips());
+  for (const HalfEdgeId h : change.flips())
+    for (const HalfEdgeId side : {h, graph.mesh.twin(h)}) orders[TriangleMesh::triangle(side)] = 1;
+  return orders;
+}
+
+std::vector<std::size_t> order_histogram(std::span<const Index> orders) {
+  std::vector<std::size_t> histogram(1, 0);
+  count(histogram, orders);
+  return histogram;
 }
 
 }  // namespace hodt

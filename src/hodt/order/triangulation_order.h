@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "hodt/base/ids.h"
@@ -19,5 +20,11 @@ std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const Trian
 /// flips, all of which order/first_order/first_order.h counted one by one, each makes two triangles
 /// of order 1. Throws std::logic_error if two flips are in one triangle.
 std::vector<std::size_t> order_histogram(const DelaunayGraph& graph, const MeshChange& change);
+
+/// The order of each triangle that the change leaves, by its place in the mesh; 0 is a triangle of
+/// the Delaunay triangulation. Requires and throws what the histogram of the change does.
+std::vector<Index> triangle_orders(const DelaunayGraph& graph, const MeshChange& change);
+/// The histogram of these.
+std::vector<std::size_t> order_histogram(std::span<const Index> orders);
 
 }  // namespace hodt

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct Tin {
   std::vector<std::array<Index, 3>> triangles;
   /// Coordinate reference system as "EPSG:25832", or empty if unknown.
   std::string crs;
+  /// The order of each triangle, where it is known; else empty.
+  std::vector<Index> order = {};
+
+  /// Whether a triangle is none of the (constrained) Delaunay triangulation. Requires `order`.
+  bool is_changed(std::size_t t) const { return order[t] > 0; }
 };
 
 }  // namespace hodt
