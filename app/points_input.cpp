@@ -1,9 +1,7 @@
 #include "app/points_input.h"
 
-#include <cstdio>
-
+#include "app/warning.h"
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "hodt/io/column_choice.h"
 
@@ -42,12 +40,7 @@ PointTable read_input_points(const std::string& file, const std::string& columns
 }
 
 void print_warnings(const std::string& file, const PointTable& table) {
-  // The line of progress, which is only on a terminal, makes way.
-  const char* const clear = isatty(STDERR_FILENO) ? "\r\033[K" : "";
-  for (const std::string& warning : table.warnings) {
-    const std::string text = fmt::format("hodt: warning: {}: {}", display_name(file), warning);
-    std::fputs(fmt::format("{}{}\n", clear, printable(text)).c_str(), stderr);
-  }
+  for (const std::string& warning : table.warnings) print_warning(file, warning);
 }
 
 void check_columns(const std::string& columns, const std::string& option) {

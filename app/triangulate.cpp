@@ -10,6 +10,7 @@
 #include "app/mean_angle.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
+#include "app/warning.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -183,6 +184,7 @@ int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_columns(arguments.input.columns);
   check_output_extension(arguments.output);
+  options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
   check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.keep.places, arguments.output, arguments.json);
   check_constraints(arguments.constraints, arguments.input.file, arguments.output, arguments.json);
@@ -214,6 +216,7 @@ int run(const Arguments& arguments) {
     write_tin(result.tin, mesh);
     mesh.finish();
     result.report.seconds.write = watch.lap();
+    warn_of_rounding(arguments.output, result.tin);
     print_warnings(arguments.input.file, source.table);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
@@ -229,7 +232,9 @@ void add_triangulate(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("triangulate", "Triangulate points, with low order and few pits");
   add_points_input(command, arguments->input);
-  command.add_option("-o,--output", arguments->output, "Mesh to write: .obj or .ply")
+  command
+      .add_option("-o,--output", arguments->output,
+                  "Mesh to write: .ply, .obj, .vtu, .nc or others ('hodt formats' lists all)")
       ->required()
       ->type_name("OUTPUT");
   command

@@ -7,10 +7,16 @@
 #include "hodt/io/geojson.h"
 #include "hodt/io/geojson_reader.h"
 #include "hodt/io/geopackage.h"
+#include "hodt/io/glb.h"
 #include "hodt/io/input_text.h"
+#include "hodt/io/landxml.h"
 #include "hodt/io/obj.h"
 #include "hodt/io/ply.h"
 #include "hodt/io/point_text_file.h"
+#include "hodt/io/stl.h"
+#include "hodt/io/two_dm.h"
+#include "hodt/io/ugrid.h"
+#include "hodt/io/vtu.h"
 
 namespace hodt {
 
@@ -59,7 +65,67 @@ constexpr Format kFormats[] = {
      nullptr,
      write_ply,
      nullptr,
+     {true, true, true}},
+    {"VTU",
+     ".vtu",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_vtu,
+     nullptr,
+     {true, true, true}},
+    {"UGRID netCDF",
+     ".nc",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_ugrid,
+     nullptr,
+     {true, true, true}},
+    {"2DM",
+     ".2dm",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_2dm,
+     nullptr,
+     {true, false, false}},
+    {"LandXML 1.2",
+     ".xml .landxml",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_landxml,
+     nullptr,
      {true, true, false}},
+    {"GLB",
+     ".glb",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_glb,
+     nullptr,
+     {false, true, false}},
+    {"STL",
+     ".stl",
+     false,
+     nullptr,
+     nullptr,
+     nullptr,
+     nullptr,
+     write_stl,
+     nullptr,
+     {false, false, false}},
 };
 
 bool has_extension(const Format& format, std::string_view extension) {
