@@ -50,6 +50,9 @@ Source read_source(const PointsInput& input) {
   if (!input.columns.empty())
     throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
                          " is a mesh");
+  if (input.chooses_las())
+    throw ParameterError("--las-class and --las-return are for LAS and LAZ files, and " +
+                         display_name(input.file) + " is a mesh");
   Tin tin = read_tin(input.file);
   GivenTin given = naming(input.file, [&] { return given_tin(std::move(tin)); });
   return {true,
@@ -181,7 +184,7 @@ int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
   TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
+  check_choices(arguments.input);
   check_output_extension(arguments.output);
   check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.keep.places, arguments.output, arguments.json);

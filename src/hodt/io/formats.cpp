@@ -1,11 +1,15 @@
 #include "hodt/io/formats.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/io/file_name.h"
 #include "hodt/io/geojson_reader.h"
 #include "hodt/io/input_text.h"
+#include "hodt/io/las/las_reader.h"
+#include "hodt/io/las_table.h"
 #include "hodt/io/obj.h"
 #include "hodt/io/ply.h"
 #include "hodt/io/point_text_file.h"
@@ -14,8 +18,14 @@ namespace hodt {
 
 namespace {
 
+/// What a file of points is, its bytes say.
 PointTable read_table(const std::filesystem::path& path, const PointChoice& choice) {
-  return parse_point_table(read_input(path), choice.columns);
+  InputText input = read_input(path);
+  if (is_las(input.view())) return read_las_table(input, choice);
+  if (choice.las)
+    throw ParameterError(fmt::format(
+        "--las-class and --las-return are for LAS and LAZ files, and {} is none", input.name));
+  return parse_point_table(std::move(input), choice.columns);
 }
 
 void read_geojson_file(const std::filesystem::path& path, const FeatureTaker& taker) {
@@ -33,6 +43,7 @@ constexpr Format kFormats[] = {
     // name, extensions, packed, points, features, mesh, write points, write mesh, what that keeps
     {"CSV", ".csv", true, read_table, nullptr, nullptr, write_csv, nullptr, kNoMesh},
     {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, kNoMesh},
+    {"LAS", ".las .laz", true, read_table, nullptr, nullptr, nullptr, nullptr, kNoMesh},
     {"GeoJSON", ".geojson .json", true, nullptr, read_geojson_file, nullptr, nullptr, nullptr,
      kNoMesh},
     {"OBJ",
