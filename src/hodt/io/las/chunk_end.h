@@ -1,5 +1,6 @@
 // Compressed points have no checksum, but damage makes them take more or fewer bytes than there
-// are. Tested by tests/io/las_damage_test.cpp.
+// are.
+// Tested by tests/io/las_damage_test.cpp.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,6 @@
 // Times are not needed, but how the difference of the last two was decides what comes next.
+// Tested by tests/io/las_test.cpp.
+
 #include <cstdint>
 #include <memory>
 

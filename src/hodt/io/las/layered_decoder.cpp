@@ -1,6 +1,8 @@
 // Points of formats 6 to 10, as LASzip 3 compresses them: a chunk has a layer for each kind of
 // value, which is a stream of its own. Layers that are not needed are not decoded, and a layer of
 // no bytes means that the first point's value is that of all.
+// Tested by tests/io/las_test.cpp.
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>

@@ -74,8 +74,10 @@ void check_item(const LasHeader& header, const LazItem& item, bool is_layered) {
   if (size != 0 && item.size != size)
     fail(header, fmt::format("gives an item of kind {} the size {}", int(item.kind), item.size));
   // Version 4 differs from 3 in items that are gone past; of wave packets, 1 and 2 are the same.
+  // Extra bytes had another version 1, of which no file could be found.
+  const bool is_old = item.version == 1 && item.kind != Kind::bytes;
   const bool known =
-      is_layered ? item.version == 3 || item.version == 4 : item.version == 1 || item.version == 2;
+      is_layered ? item.version == 3 || item.version == 4 : is_old || item.version == 2;
   if (!known)
     fail(header,
          fmt::format("names version {} of item {}, which hodt does not read; write the file again "

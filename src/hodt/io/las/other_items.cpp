@@ -1,4 +1,6 @@
 // Colours, wave packets and extra bytes: nothing of their values is needed to go past them.
+// Tested by tests/io/las_test.cpp.
+
 #include <cstddef>
 #include <memory>
 #include <vector>

@@ -1,3 +1,5 @@
+// The item POINT10 as LASzip 1 compressed it.
+// Tested by tests/io/las_test.cpp.
 #include <algorithm>
 #include <memory>
 
@@ -99,7 +101,7 @@ class Point10V1 final : public Point10 {
 }  // namespace
 
 std::unique_ptr<Point10> make_point10_v1() {
-  return std::make_unique<Point10V1>();
+  return std::make_unique_for_overwrite<Point10V1>();
 }
 
 }  // namespace hodt::las

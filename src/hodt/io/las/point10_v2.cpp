@@ -1,3 +1,5 @@
+// The item POINT10 as LASzip 2 and 3 compress it.
+// Tested by tests/io/las_test.cpp.
 #include <memory>
 
 #include "hodt/io/las/pointwise_items.h"
@@ -98,7 +100,7 @@ class Point10V2 final : public Point10 {
 }  // namespace
 
 std::unique_ptr<Point10> make_point10_v2() {
-  return std::make_unique<Point10V2>();
+  return std::make_unique_for_overwrite<Point10V2>();
 }
 
 }  // namespace hodt::las

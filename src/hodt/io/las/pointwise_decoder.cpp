@@ -1,3 +1,5 @@
+// A chunk of points one after the other: the first as it is, then all items of each in one stream.
+// Tested by tests/io/las_test.cpp.
 #include <utility>
 
 #include "hodt/io/las/chunk_decoder.h"

@@ -36,6 +36,7 @@ class Point10 : public PointwiseItem {
   virtual const RawPoint& point() const = 0;
 };
 
+/// Their models are large, and written when they are first needed.
 std::unique_ptr<Point10> make_point10_v1();
 std::unique_ptr<Point10> make_point10_v2();
 std::unique_ptr<PointwiseItem> make_gps_time(int version);
