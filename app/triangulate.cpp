@@ -51,6 +51,9 @@ Source read_source(const PointsInput& input) {
   if (!input.columns.empty())
     throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
                          " is a mesh");
+  if (input.chooses_las())
+    throw ParameterError("--las-class and --las-return are for LAS and LAZ files, and " +
+                         display_name(input.file) + " is a mesh");
   Tin tin = read_tin(input.file);
   GivenTin given = naming(input.file, [&] { return given_tin(std::move(tin)); });
   return {true,
@@ -182,7 +185,7 @@ int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
   TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
+  check_choices(arguments.input);
   check_output_extension(arguments.output);
   options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
   check_targets(arguments.input.file, arguments.output, arguments.json);
