@@ -9,6 +9,10 @@
 namespace hodt {
 
 Delaunay delaunay(const PointSet& points) {
+  return delaunay_of(points);
+}
+
+Delaunay delaunay_of(const PointView& points) {
   SpatialOrder order = spatial_order(points);
   if (order.vertices.size() < 3)
     throw InputError(fmt::format(
