@@ -20,7 +20,7 @@ nb::object triangles_of(const DoubleArray& array, std::size_t threads) {
   const JobOptions options{threads, nb::none(), array.shape(0) < kFew};
   TriangleMesh mesh = result_of(options, [&](const Progress&) {
     const InputPoints points(array);
-    Delaunay d = delaunay_of(points.view());
+    Delaunay d = delaunay(points.view());
     return in_input_numbering(std::move(d.mesh), d.vertices, points.view().size());
   });
   return integers(std::move(mesh.origins()), 3);
@@ -44,7 +44,7 @@ struct Adjacency {
 };
 
 Adjacency adjacency_of(const PointView& points) {
-  Delaunay d = delaunay_of(points);
+  Delaunay d = delaunay(points);
   const TriangleMesh& mesh = d.mesh;
   Adjacency result;
   result.opposite = Buffer<Index>(mesh.halfedge_count());

@@ -25,7 +25,7 @@ struct Cells {
 };
 
 Cells cells_of(const PointView& points, Index m, const std::optional<Box>& asked) {
-  const Delaunay d = delaunay_of(points);
+  const Delaunay d = delaunay(points);
   const VoronoiDiagram diagram = voronoi_diagram(DelaunayGraph(d), m);
   const Box box = asked ? *asked : enlarged_bounding_box(d.vertices.xy, 0.1);
   const VoronoiPolygons polygons(d.vertices.xy, diagram, box);

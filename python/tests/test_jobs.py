@@ -16,11 +16,6 @@ import pytest
 import hodt
 
 
-def long_job(points):
-    """Takes minutes."""
-    return hodt.triangulate(points, 40, "min-sum-abn", method="exact")
-
-
 def test_other_threads_run_meanwhile():
     points, ticks, done = hodt.sample("valley", 200_000), [0], threading.Event()
 
@@ -120,8 +115,7 @@ def test_errors_of_progress_end_the_work():
 
     start = time.monotonic()
     with pytest.raises(Enough):
-        hodt.triangulate(hodt.sample("valley", 30_000), 40, "min-sum-abn", method="exact",
-                         progress=progress)
+        hodt.triangulate(hodt.sample("valley", 30_000), 40, method="exact", progress=progress)
     assert time.monotonic() - start < 30
 
 
@@ -223,7 +217,8 @@ def test_a_thousand_calls_leak_nothing(work):
     references, before = sys.getrefcount(points), resident()
     calls(1000)
     assert sys.getrefcount(points) == references
-    assert resident() - before < 4 << 20  # each call makes 60 kB or more
+    # Each call makes 50 kB or more. What allocators keep of many threads' memory is not as much.
+    assert resident() - before < 16 << 20
 
 
 def test_importing_twice_and_exiting_early():

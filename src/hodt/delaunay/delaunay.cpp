@@ -8,11 +8,7 @@
 
 namespace hodt {
 
-Delaunay delaunay(const PointSet& points) {
-  return delaunay_of(points);
-}
-
-Delaunay delaunay_of(const PointView& points) {
+Delaunay delaunay(const PointView& points) {
   SpatialOrder order = spatial_order(points);
   if (order.vertices.size() < 3)
     throw InputError(fmt::format(
