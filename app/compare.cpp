@@ -247,7 +247,7 @@ int run(const Arguments& arguments) {
   const std::vector<Choice> choices = parse_objectives(arguments.objectives);
   options.time_limit = parse_seconds(arguments.time_limit);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
+  check_choices(arguments.input);
   check_columns(arguments.truth_columns, "--truth-columns");
   check_files(arguments);
   read_keep(arguments, choices, options);

@@ -119,14 +119,14 @@ std::string summary(const Findings& findings) {
 
 int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
+  check_choices(arguments.input);
   check_targets(arguments.input.file, {}, arguments.json);
   Findings findings;
   {
     TerminalProgress progress;
     progress.report("reading");
     // What may be wrong is among the hints, not on standard error.
-    const PointTable table = read_point_table(
-        arguments.input.file, {parse_column_choice("--columns", arguments.input.columns)});
+    const PointTable table = read_input_points(arguments.input);
     progress.report("counting");
     findings = examine(table);
   }

@@ -47,7 +47,7 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
                const ProduceLines& produce) {
   const Order k = parse_order(arguments.order);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
+  check_choices(arguments.input);
   check_targets(arguments.input.file, arguments.output, {});
   check_constraints(arguments.constraints, arguments.input.file, arguments.output, {});
   std::string summary;

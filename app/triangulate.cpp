@@ -10,6 +10,7 @@
 #include "app/mean_angle.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
+#include "app/warning.h"
 #include "app/what_changed.h"
 #include <fmt/format.h>
 
@@ -52,6 +53,9 @@ Source read_source(const PointsInput& input) {
   if (!input.columns.empty())
     throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
                          " is a mesh");
+  if (input.chooses_las())
+    throw ParameterError("--las-class and --las-return are for LAS and LAZ files, and " +
+                         display_name(input.file) + " is a mesh");
   Tin tin = read_tin(input.file);
   GivenTin given = naming(input.file, [&] { return given_tin(std::move(tin)); });
   return {true,
@@ -182,9 +186,8 @@ TriangulateOptions options_of(const Arguments& arguments) {
 /// All files that are read.
 std::vector<std::string> inputs_of(const Arguments& arguments) {
   std::vector<std::string> files = arguments.constraints.breaklines;
-  for (const std::string& file :
-       {arguments.input.file, arguments.keep.places, arguments.constraints.outline,
-        arguments.constraints.keep_edges})
+  for (const std::string& file : {arguments.input.file, arguments.keep.places,
+                                  arguments.constraints.outline, arguments.constraints.keep_edges})
     files.push_back(file);
   return files;
 }
@@ -193,7 +196,7 @@ int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
   TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
+  check_choices(arguments.input);
   check_output_extension(arguments.output);
   options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
   check_targets(arguments.input.file, arguments.output, arguments.json);
@@ -231,6 +234,7 @@ int run(const Arguments& arguments) {
     mesh.finish();
     write_changes(arguments.changes, result, outputs);
     result.report.seconds.write = watch.lap();
+    warn_of_rounding(arguments.output, result.tin);
     print_warnings(arguments.input.file, source.table);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
@@ -246,7 +250,9 @@ void add_triangulate(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("triangulate", "Triangulate points, with low order and few pits");
   add_points_input(command, arguments->input);
-  command.add_option("-o,--output", arguments->output, "Mesh to write: .obj, .ply, or polygons: .gpkg, .geojson, .fgb, .shp")
+  command
+      .add_option("-o,--output", arguments->output,
+                  "Mesh to write: .ply, .obj, .vtu, .gpkg or others ('hodt formats' lists all)")
       ->required()
       ->type_name("OUTPUT");
   command

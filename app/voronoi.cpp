@@ -65,7 +65,7 @@ int run(const Arguments& arguments) {
   std::optional<Box> box;
   if (!arguments.box.empty()) box = parse_box(arguments.box);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
+  check_choices(arguments.input);
   check_targets(arguments.input.file, arguments.output, {});
 
   std::string summary;

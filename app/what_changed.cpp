@@ -46,10 +46,10 @@ FeatureLayer layer_of(const Tin& tin, GeometryKind geometry) {
 FeatureLayer pits_layer(const Tin& tin, const std::vector<MinimumChange>& minima) {
   using enum FieldType;
   FeatureLayer layer = layer_of(tin, GeometryKind::point);
-  layer.fields = {{"vertex", integer},  {"fate", text},       {"boundary", integer},
-                  {"pit", integer},     {"depth", real},      {"volume", real},
-                  {"new_depth", real},  {"new_volume", real}, {"drains_to", integer},
-                  {"drain_x", real},    {"drain_y", real},    {"drain_z", real}};
+  layer.fields = {{"vertex", integer}, {"fate", text},       {"boundary", integer},
+                  {"pit", integer},    {"depth", real},      {"volume", real},
+                  {"new_depth", real}, {"new_volume", real}, {"drains_to", integer},
+                  {"drain_x", real},   {"drain_y", real},    {"drain_z", real}};
   layer.count = minima.size();
   layer.make = [&](std::size_t i, LayerFeature& feature) {
     const MinimumChange& minimum = minima[i];

@@ -121,7 +121,7 @@ TEST_F(Command, RefusesBadUsage) {
   const std::string start = "triangulate points.csv -o ";
   expect_refused("triangulate none.csv -o out.ply", "none.csv");
   expect_refused("triangulate . -o out.ply", "directory");
-  expect_refused(start + "out.stl", ".obj, .ply");
+  expect_refused(start + "out.step", ".obj, .ply");
   expect_refused(start + "out", ".obj, .ply");
   expect_refused(start + "none/out.ply", "none");
   expect_refused(start + "out.ply --json none/out.json", "none");

@@ -2,13 +2,21 @@
 #include "hodt/pipeline/given_tin.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
+#include "../support/terrains.h"
 #include "families.h"
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/input_text.h"
+#include "hodt/io/point_file.h"
 #include "hodt/optimize/value_of.h"
 #include "hodt/pipeline.h"
 #include "hodt/tin/boundary_edges.h"
@@ -98,6 +106,63 @@ TEST(GivenTin, is_never_better_than_the_result_of_its_order) {
     }
   }
 }
+
+/// A mesh of finite elements as the terrains come: nodes.csv and triangles.csv.gz.
+std::optional<Tin> real_mesh(const std::string& name) {
+  const auto folder = support::terrain_folder(name);
+  if (!folder) return std::nullopt;
+  Tin tin;
+  tin.points = read_points(*folder / "nodes.csv");
+  const InputText text = read_input(*folder / "triangles.csv.gz");
+  std::istringstream lines{std::string(text.view())};
+  std::string header;
+  std::getline(lines, header);
+  char comma;
+  for (Index a, b, c; lines >> a >> comma >> b >> comma >> c;) tin.triangles.push_back({a, b, c});
+  return tin;
+}
+
+/// In degrees.
+double largest_angle(const Tin& tin) {
+  double largest = 0;
+  for (const std::array<Index, 3>& corners : tin.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const Point &a = tin.points.xy[corners[i]], &b = tin.points.xy[corners[(i + 1) % 3]],
+                  &c = tin.points.xy[corners[(i + 2) % 3]];
+      const double x = b.x - a.x, y = b.y - a.y, u = c.x - a.x, v = c.y - a.y;
+      largest = std::max(largest, std::atan2(std::fabs(x * v - y * u), x * u + y * v));
+    }
+  return largest * 180 / std::acos(-1.0);
+}
+
+class RealMesh : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealMesh, gets_better_on_its_vertices_within_its_border) {
+  const std::optional<Tin> tin = real_mesh(GetParam());
+  if (!tin) GTEST_SKIP() << support::no_terrain(GetParam());
+  const GivenTin given = given_tin(*tin);
+  for (const Index k : {1, 4}) {
+    const TriangulateResult result =
+        triangulate(given.points, {.order = k, .objective = objective_from_name("min-max-angle")},
+                    given.constraints);
+    EXPECT_EQ(result.tin.points.xy, given.points.xy);
+    EXPECT_EQ(result.tin.points.z, given.points.z);
+    EXPECT_EQ(result.tin.triangles.size(), tin->triangles.size());
+    EXPECT_EQ(boundary_edges(result.tin.triangles), given.constraints.boundary);
+    EXPECT_EQ(check_embedding(result.tin.points.xy, result.tin.triangles).problem, "");
+    ASSERT_TRUE(result.report.given);
+    EXPECT_NEAR(result.report.given->value, largest_angle(*tin), 1e-9);
+    EXPECT_NEAR(result.report.value->result, largest_angle(result.tin), 1e-9);
+    EXPECT_TRUE(result.report.value->optimal);
+    if (k == 4) {
+      EXPECT_LT(result.report.value->result, result.report.given->value);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, RealMesh,
+                         testing::Values("mesh_merimbula", "mesh_japan_sea", "mesh_shinnecock"),
+                         [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
 }  // namespace hodt

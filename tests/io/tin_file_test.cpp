@@ -359,8 +359,8 @@ TEST_F(TinFile, KnowsItsExtensions) {
     EXPECT_THROW(check_output_extension(name), ParameterError) << name;
   }
   const std::string message =
-      message_of<ParameterError>([&] { write_tin({}, directory_ / "a.stl"); });
-  EXPECT_NE(message.find("'.stl'; known are .obj, .ply"), std::string::npos) << message;
+      message_of<ParameterError>([&] { write_tin({}, directory_ / "a.step"); });
+  EXPECT_NE(message.find("'.step'; known are .obj, .ply"), std::string::npos) << message;
   EXPECT_THROW(read_tin("a.csv"), ParameterError);
   EXPECT_EQ(directory_.entries(), 0u);
 }

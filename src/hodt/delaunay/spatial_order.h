@@ -44,9 +44,9 @@ struct SpatialOrder {
 /// if z ties too). The same order whatever the order of the input and the number of threads.
 /// Throws InputError if a coordinate is NaN or infinite, naming its row, and if there are
 /// more than kMaxPoints.
-SpatialOrder spatial_order(const PointSet& points);
+SpatialOrder spatial_order(const PointView& points);
 
 /// The vertex that stands for each input row: for a dropped duplicate, the vertex at its place.
-Buffer<VertexId> vertices_of_rows(const PointSet& points, const VertexSet& vertices);
+Buffer<VertexId> vertices_of_rows(const PointView& points, const VertexSet& vertices);
 
 }  // namespace hodt

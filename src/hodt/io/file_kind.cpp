@@ -37,7 +37,6 @@ struct Signature {
 
 /// First bytes that nothing else has.
 constexpr Signature kSignatures[] = {
-    {"LASF"sv, "LAS or LAZ", kCloud},
     {"ASTM-E57"sv, "E57", kCloud},
     {"# .PCD"sv, "PCD", kCloud},
     {"glTF"sv, "glTF", kMesh},

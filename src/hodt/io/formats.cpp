@@ -1,5 +1,7 @@
 #include "hodt/io/formats.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -8,18 +10,32 @@
 #include "hodt/io/geojson.h"
 #include "hodt/io/geojson_reader.h"
 #include "hodt/io/geopackage.h"
+#include "hodt/io/glb.h"
 #include "hodt/io/input_text.h"
+#include "hodt/io/landxml.h"
+#include "hodt/io/las/las_reader.h"
+#include "hodt/io/las_table.h"
 #include "hodt/io/obj.h"
 #include "hodt/io/ply.h"
 #include "hodt/io/point_text_file.h"
+#include "hodt/io/stl.h"
 #include "hodt/io/tin_layer.h"
+#include "hodt/io/two_dm.h"
+#include "hodt/io/ugrid.h"
+#include "hodt/io/vtu.h"
 
 namespace hodt {
 
 namespace {
 
+/// What a file of points is, its bytes say.
 PointTable read_table(const std::filesystem::path& path, const PointChoice& choice) {
-  return parse_point_table(read_input(path), choice.columns);
+  InputText input = read_input(path);
+  if (is_las(input.view())) return read_las_table(input, choice);
+  if (choice.las)
+    throw ParameterError(fmt::format(
+        "--las-class and --las-return are for LAS and LAZ files, and {} is none", input.name));
+  return parse_point_table(std::move(input), choice.columns);
 }
 
 void read_geojson_file(const std::filesystem::path& path, const FeatureTaker& taker) {
@@ -37,74 +53,47 @@ void write_triangles(const Tin& tin, OutputFile& file) {
   write(triangle_layer(tin), file);
 }
 
-constexpr Keeps kNoMesh = {false, false, false};
-
+// clang-format off
 constexpr Format kFormats[] = {
-    // name, extensions, packed, points, features, mesh, write points, write mesh, write features,
-    // what a mesh keeps
-    {"CSV", ".csv", true, read_table, nullptr, nullptr, write_csv, nullptr, nullptr, kNoMesh},
-    {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, nullptr, kNoMesh},
-    {"OBJ",
-     ".obj",
-     true,
-     nullptr,
-     nullptr,
-     read_mesh<parse_obj>,
-     nullptr,
-     write_obj,
-     nullptr,
-     {true, true, false}},
-    {"PLY",
-     ".ply",
-     true,
-     nullptr,
-     nullptr,
-     read_mesh<parse_ply>,
-     nullptr,
-     write_ply,
-     nullptr,
-     {true, true, false}},
-    {"GeoJSON",
-     ".geojson .json",
-     true,
-     nullptr,
-     read_geojson_file,
-     nullptr,
-     nullptr,
-     write_triangles<write_geojson_layer>,
-     write_geojson_layer,
-     {true, true, true}},
-    {"GeoPackage",
-     ".gpkg",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_triangles<write_geopackage>,
-     write_geopackage,
-     {true, true, true}},
-    {"FlatGeobuf",
-     ".fgb",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_triangles<write_flatgeobuf>,
-     write_flatgeobuf,
-     {true, true, true}},
-    {"Shapefile",
-     ".shp",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_triangles<write_shapefile>,
-     write_shapefile,
-     {true, true, true}},
+    {.name = "CSV", .extensions = ".csv", .can_be_packed = true,
+     .read_points = read_table, .write_points = write_csv},
+    {.name = "XYZ", .extensions = ".xyz", .can_be_packed = true,
+     .read_points = read_table, .write_points = write_xyz},
+    {.name = "LAS", .extensions = ".las .laz", .can_be_packed = true,
+     .read_points = read_table},
+    {.name = "OBJ", .extensions = ".obj", .can_be_packed = true,
+     .read_tin = read_mesh<parse_obj>, .write_tin = write_obj,
+     .keeps = {.heights = true, .crs = true}},
+    {.name = "PLY", .extensions = ".ply", .can_be_packed = true,
+     .read_tin = read_mesh<parse_ply>, .write_tin = write_ply,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "VTU", .extensions = ".vtu",
+     .write_tin = write_vtu, .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "UGRID netCDF", .extensions = ".nc",
+     .write_tin = write_ugrid, .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "2DM", .extensions = ".2dm",
+     .write_tin = write_2dm, .keeps = {.heights = true}},
+    {.name = "LandXML 1.2", .extensions = ".xml .landxml",
+     .write_tin = write_landxml, .keeps = {.heights = true, .crs = true}},
+    {.name = "GLB", .extensions = ".glb",
+     .write_tin = write_glb, .keeps = {.crs = true}},
+    {.name = "STL", .extensions = ".stl",
+     .write_tin = write_stl},
+    {.name = "GeoJSON", .extensions = ".geojson .json", .can_be_packed = true,
+     .read_features = read_geojson_file, .write_tin = write_triangles<write_geojson_layer>,
+     .write_features = write_geojson_layer,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "GeoPackage", .extensions = ".gpkg",
+     .write_tin = write_triangles<write_geopackage>, .write_features = write_geopackage,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "FlatGeobuf", .extensions = ".fgb",
+     .write_tin = write_triangles<write_flatgeobuf>, .write_features = write_flatgeobuf,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "Shapefile", .extensions = ".shp",
+     .write_tin = write_triangles<write_shapefile>, .write_features = write_shapefile,
+     .keeps = {.heights = true, .crs = true, .order = true}},
 };
+// clang-format on
 
 bool has_extension(const Format& format, std::string_view extension) {
   std::string_view rest = format.extensions;

@@ -140,10 +140,11 @@ std::int64_t add_crs(Database& database, const std::string& crs) {
   if (crs.empty()) return undefined;
   const CrsCode code = crs_code(crs).value_or(CrsCode{"NONE", own});
   const std::int64_t id = code.authority == "EPSG" ? code.number : own;
+  const std::string name = fmt::format("{}:{}", code.authority, code.number);
   database.run(
-      fmt::format("INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES ({}, {}, {}, {}, {}, NULL)",
-                  sql_text(fmt::format("{}:{}", code.authority, code.number)), id,
-                  sql_text(code.authority), code.number, sql_text(definition_of(crs))));
+      fmt::format("INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES ({}, {}, {}, {}, {}, {})",
+                  sql_text(name), id, sql_text(code.authority), code.number,
+                  sql_text(definition_of(crs)), crs == name ? "NULL" : sql_text(crs)));
   return id;
 }
 

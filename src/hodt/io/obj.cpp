@@ -13,6 +13,7 @@
 #include "hodt/base/error.h"
 #include "hodt/io/number_text.h"
 #include "hodt/io/parallel_text.h"
+#include "hodt/io/tin_parts.h"
 
 namespace hodt {
 
@@ -198,11 +199,10 @@ Tin parse_obj(const InputText& input) {
 
 void write_obj(const Tin& tin, OutputFile& file) {
   const PointSet& points = tin.points;
-  if (!tin.crs.empty()) file.write(fmt::format("{}{}\n", kCrsComment, tin.crs));
+  if (!tin.crs.empty()) file.write(fmt::format("{}{}\n", kCrsComment, in_one_line(tin.crs)));
   const auto format_vertex = [&](std::size_t i, char* to) {
     *to++ = 'v';
-    for (const double value :
-         {points.xy[i].x, points.xy[i].y, points.has_heights() ? points.z[i] : 0.0}) {
+    for (const double value : {points.xy[i].x, points.xy[i].y, height_or_zero(points, i)}) {
       *to++ = ' ';
       to = format_number(to, value);
     }

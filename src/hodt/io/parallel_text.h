@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <string_view>
 
 #include "hodt/base/buffer.h"
@@ -11,6 +12,12 @@
 #include "hodt/io/atomic_write.h"
 
 namespace hodt {
+
+/// Writes the text at `to`; returns the end.
+inline char* put_text(char* to, std::string_view text) {
+  std::memcpy(to, text.data(), text.size());
+  return to + text.size();
+}
 
 /// Formats records 0 to count - 1 and hands the bytes to `sink` in their order, a piece at a time.
 /// format(i, to) writes record i at `to`, at most `longest` bytes, and returns its end.

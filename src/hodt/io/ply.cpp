@@ -19,8 +19,10 @@
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/bytes.h"
 #include "hodt/io/number_text.h"
 #include "hodt/io/parallel_text.h"
+#include "hodt/io/tin_parts.h"
 
 namespace hodt {
 
@@ -461,24 +463,16 @@ class BodyParser {
   Tin tin_;
 };
 
-/// Little-endian, whatever the machine is.
-template <class T>
-char* put(char* to, T value) {
-  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
-  if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-  std::memcpy(to, bytes.data(), sizeof(T));
-  return to + sizeof(T);
-}
-
 std::string header_of(const Tin& tin) {
   // Many programs know only int; use it as long as it does.
   const bool fits_int = tin.points.size() <= std::size_t{1} << 31;
   return fmt::format(
       "ply\nformat binary_little_endian 1.0\n{}{}{}"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-      "element face {}\nproperty list uchar {} vertex_indices\nend_header\n",
-      tin.crs.empty() ? "" : kCrsComment, tin.crs, tin.crs.empty() ? "" : "\n", tin.points.size(),
-      tin.triangles.size(), fits_int ? "int" : "uint");
+      "element face {}\nproperty list uchar {} vertex_indices\n{}end_header\n",
+      tin.crs.empty() ? "" : kCrsComment, in_ascii(in_one_line(tin.crs)),
+      tin.crs.empty() ? "" : "\n", tin.points.size(), tin.triangles.size(),
+      fits_int ? "int" : "uint", tin.order.empty() ? "" : "property int order\n");
 }
 
 }  // namespace
@@ -503,15 +497,15 @@ void write_ply(const Tin& tin, OutputFile& file) {
   const PointSet& points = tin.points;
   file.write(header_of(tin));
   write_records(file, points.size(), 3 * sizeof(double), [&](std::size_t i, char* to) {
-    to = put(to, points.xy[i].x);
-    to = put(to, points.xy[i].y);
-    return put(to, points.has_heights() ? points.z[i] : 0.0);
+    to = put_little(to, points.xy[i].x);
+    to = put_little(to, points.xy[i].y);
+    return put_little(to, height_or_zero(points, i));
   });
-  constexpr std::size_t longest = 1 + 3 * sizeof(Index);
+  constexpr std::size_t longest = 1 + 4 * sizeof(Index);
   write_records(file, tin.triangles.size(), longest, [&](std::size_t t, char* to) {
-    to = put(to, std::uint8_t{3});
-    for (const Index corner : tin.triangles[t]) to = put(to, corner);
-    return to;
+    to = put_little(to, std::uint8_t{3});
+    for (const Index corner : tin.triangles[t]) to = put_little(to, corner);
+    return tin.order.empty() ? to : put_little(to, tin.order[t]);
   });
 }
 

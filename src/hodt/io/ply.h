@@ -18,7 +18,8 @@ bool is_ply(const InputText& input);
 /// Throws InputError, naming the header's line or the vertex or face (counted from 0).
 Tin parse_ply(const InputText& input);
 
-/// Writes binary PLY, little-endian, coordinates as doubles.
+/// Writes binary PLY, little-endian, coordinates as doubles; faces with their order, where it is
+/// known.
 void write_ply(const Tin& tin, OutputFile& file);
 
 }  // namespace hodt

@@ -48,6 +48,7 @@ namespace hodt {
   FUNCTION(OSRRelease)                 \
   FUNCTION(OSRSetAxisMappingStrategy)  \
   FUNCTION(OSRSetFromUserInput)        \
+  FUNCTION(OSRSetLocalCS)              \
   FUNCTION(VSIFree)
 
 struct GdalFunctions {

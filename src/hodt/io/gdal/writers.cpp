@@ -3,11 +3,16 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/base/printable.h"
+#include "hodt/io/crs_name.h"
 #include "hodt/io/feature_file.h"
 #include "hodt/io/gdal/api.h"
 #include "hodt/io/gdal/dataset.h"
@@ -27,12 +32,29 @@ using Reference = Owned<&GdalFunctions::OSRRelease>;
 using OwnedFeature = Owned<&GdalFunctions::OGR_F_Destroy>;
 using OwnedField = Owned<&GdalFunctions::OGR_Fld_Destroy>;
 
-/// nullptr if GDAL does not know it. x and y are what they always are to those who draw maps.
-Reference reference_of(const std::string& crs) {
+/// Of text that GDAL understands. x and y are what they always are to those who draw maps.
+Reference understood(const std::string& crs) {
   GdalErrors errors;
   Reference reference(gdal().OSRNewSpatialReference(nullptr));
   if (gdal().OSRSetFromUserInput(reference.get(), crs.c_str()) != OGRERR_NONE) return nullptr;
   gdal().OSRSetAxisMappingStrategy(reference.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  return reference;
+}
+
+/// Also of text of which GDAL understands its code alone; nullptr if it understands nothing.
+Reference reference_of(const std::string& crs) {
+  if (Reference reference = understood(crs)) return reference;
+  const std::optional<CrsCode> code = crs_code(crs);
+  return code ? understood(fmt::format("{}:{}", code->authority, code->number)) : nullptr;
+}
+
+/// Also of other text: nothing is lost, even if nobody understands it.
+Reference reference_or_name(const std::string& crs) {
+  if (crs.empty()) return nullptr;
+  if (Reference reference = reference_of(crs)) return reference;
+  GdalErrors errors;
+  Reference reference(gdal().OSRNewSpatialReference(nullptr));
+  gdal().OSRSetLocalCS(reference.get(), printable(crs).c_str());
   return reference;
 }
 
@@ -68,7 +90,7 @@ class LayerWriter {
       : layer_(layer), shown_(shown), making_(making) {}
 
   void write(const std::filesystem::path& path) {
-    const Reference reference = known_reference();
+    const Reference reference = reference_or_name(layer_.crs);
     GDALDriverH driver = gdal().GDALGetDriverByName(making_.driver);
     if (driver == nullptr)
       throw ParameterError(fmt::format("cannot write {}: this GDAL has no driver {}",
@@ -89,16 +111,6 @@ class LayerWriter {
   [[noreturn]] void fail() { fail(errors_.take()); }
   [[noreturn]] void fail(const std::string& why) {
     throw FileError(fmt::format("cannot write {}: {}", shown_.string(), why));
-  }
-
-  Reference known_reference() const {
-    if (layer_.crs.empty()) return nullptr;
-    Reference reference = reference_of(layer_.crs);
-    if (!reference)
-      throw ParameterError(
-          fmt::format("cannot write {}: GDAL does not know the coordinate reference system {}",
-                      shown_.string(), layer_.crs));
-    return reference;
   }
 
   void create_fields(OGRLayerH to) {
@@ -167,7 +179,7 @@ void write_shapefile(const FeatureLayer& layer, OutputFile& file) {
                     file.path().string()));
   write_layer(layer, file,
               {"ESRI Shapefile",
-               {"ENCODING=UTF-8", nullptr},
+               {"ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2000-01-01", nullptr},
                ".shx .dbf .prj .cpg .qix .sbn .sbx .idm .ind .qpj"});
 }
 

@@ -10,7 +10,8 @@
 namespace hodt {
 
 /// Each writes a layer as the file's only one. Throws FileError, and ParameterError if GDAL is not
-/// there or does not know the layer's coordinate reference system.
+/// there. A coordinate reference system that GDAL does not understand is written as the name of
+/// one.
 void write_flatgeobuf(const FeatureLayer& layer, OutputFile& file);
 /// With the other files that belong to a shapefile.
 void write_shapefile(const FeatureLayer& layer, OutputFile& file);
