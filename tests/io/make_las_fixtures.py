@@ -86,8 +86,10 @@ def laszip_record(las, chunk, item_version=None, compressor=None):
     record = bytearray(known.record_data())
     struct.pack_into("<I", record, 12, chunk)
     if item_version is not None:
-        for item in range((len(record) - 34) // 6):
-            struct.pack_into("<H", record, 34 + 6 * item + 4, item_version)
+        for at in range(34, len(record), 6):
+            # Extra bytes of version 1 are other ones to LASzip than to lazrs.
+            if struct.unpack_from("<H", record, at)[0] != 0:
+                struct.pack_into("<H", record, at + 4, item_version)
     if compressor is not None:
         struct.pack_into("<H", record, 0, compressor)
     return bytes(record)
