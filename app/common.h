@@ -47,6 +47,7 @@ void add_voronoi(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_contours(CLI::App& app, Action& action);
 void add_formats(CLI::App& app, Action& action);
+void add_raster(CLI::App& app, Action& action);
 
 /// A whole number from an option's text. Throws ParameterError, naming the option, the text and the
 /// range, if it is anything else.
