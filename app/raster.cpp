@@ -33,7 +33,7 @@ Tin read_surface(const std::string& file) {
 
 int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_raster(arguments.raster, arguments.tin, arguments.output);
+  check_raster(arguments.raster, arguments.output, {{arguments.tin}}, {{arguments.output}});
   Outputs outputs;
   Grid grid;
   {

@@ -20,16 +20,25 @@ void add_raster_options(CLI::App& command, RasterArguments& arguments) {
       ->type_name("FILE");
 }
 
-void check_raster(const RasterArguments& arguments, const std::string& input,
-                  const std::string& output) {
+void check_raster(const RasterArguments& arguments, const std::string& output,
+                  std::span<const std::string> read, std::span<const std::string> written) {
+  const std::string& shade = arguments.hillshade;
+  if (output.empty() && shade.empty())
+    throw ParameterError("--resolution and --like are for rasters: name one by -o or --hillshade");
   if (arguments.resolution.empty() == arguments.like.empty())
     throw ParameterError("a raster needs --resolution or --like, and not both");
   if (!arguments.resolution.empty() && parse_number("--resolution", arguments.resolution) <= 0)
     throw ParameterError("--resolution must be positive, not '" + arguments.resolution + "'");
-  for (const std::string& file : {output, arguments.hillshade})
-    if (!file.empty()) check_raster_output(file);
-  check_targets(input, output, arguments.hillshade);
-  check_targets(arguments.like, output, arguments.hillshade);
+  for (const std::string& file : {output, shade}) {
+    if (file.empty()) continue;
+    check_raster_output(file);
+    check_targets(arguments.like, file, {});
+    for (const std::string& input : read) check_targets(input, file, {});
+  }
+  for (const std::string& other : written)
+    if (is_same_output(shade, other))
+      throw ParameterError(
+          fmt::format("--hillshade names {}, which is another output as well", shade));
 }
 
 Grid grid_of(const RasterArguments& arguments, const Tin& tin) {

@@ -2,6 +2,7 @@
 // Tested by tests/app/raster_test.cpp.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "app/outputs.h"
@@ -21,11 +22,12 @@ struct RasterArguments {
 /// The options --resolution, --like and --hillshade.
 void add_raster_options(CLI::App& command, RasterArguments& arguments);
 
-/// All that can be said before there is a mesh. Throws ParameterError unless the names are those of
-/// rasters (an empty output is none) and the cells are given in one way, FileError if a file cannot
-/// be written.
-void check_raster(const RasterArguments& arguments, const std::string& input,
-                  const std::string& output);
+/// All that can be said before there is a mesh; `output` is the raster of heights, empty if there is
+/// to be none. Throws ParameterError unless the names are those of rasters and the cells are given in
+/// one way, and if one of the files is one of the others, of those that are read, or that are
+/// written; FileError if it cannot be written.
+void check_raster(const RasterArguments& arguments, const std::string& output,
+                  std::span<const std::string> read, std::span<const std::string> written);
 
 /// The cells: those of --like, or as large as --resolution says. Throws InputError if the raster
 /// is of another coordinate reference system than the mesh.

@@ -10,6 +10,7 @@
 #include "app/mean_angle.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
+#include "app/raster_output.h"
 #include "app/warning.h"
 #include "app/what_changed.h"
 #include <fmt/format.h>
@@ -35,6 +36,7 @@ struct Arguments {
   KeepArguments keep;
   ChangesArguments changes;
   ConstraintArguments constraints;
+  RasterArguments raster;
   std::string threads;
   std::string json;
 };
@@ -197,8 +199,15 @@ int run(const Arguments& arguments) {
   TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_choices(arguments.input);
-  check_output_extension(arguments.output);
-  options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
+  const bool is_raster = is_raster_name(arguments.output);
+  if (!is_raster) {
+    check_output_extension(arguments.output);
+    options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
+  }
+  if (is_raster || arguments.raster.any())
+    check_raster(arguments.raster, is_raster ? arguments.output : "", inputs_of(arguments),
+                 {{arguments.output, arguments.json, arguments.changes.pits,
+                   arguments.changes.changed}});
   check_targets(arguments.input.file, arguments.output, arguments.json);
   check_targets(arguments.keep.places, arguments.output, arguments.json);
   check_constraints(arguments.constraints, arguments.input.file, arguments.output, arguments.json);
@@ -229,12 +238,13 @@ int run(const Arguments& arguments) {
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
-    OutputFile& mesh = outputs.open(arguments.output);
-    write_tin(result.tin, mesh);
-    mesh.finish();
+    if (is_raster || arguments.raster.any())
+      write_rasters(result.tin, grid_of(arguments.raster, result.tin), arguments.raster,
+                    is_raster ? arguments.output : "", outputs);
+    if (!is_raster) write_tin(result.tin, outputs.open(arguments.output));
     write_changes(arguments.changes, result, outputs);
     result.report.seconds.write = watch.lap();
-    warn_of_rounding(arguments.output, result.tin);
+    if (!is_raster) warn_of_rounding(arguments.output, result.tin);
     print_warnings(arguments.input.file, source.table);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
@@ -252,7 +262,8 @@ void add_triangulate(CLI::App& app, Action& action) {
   add_points_input(command, arguments->input);
   command
       .add_option("-o,--output", arguments->output,
-                  "Mesh to write: .ply, .obj, .vtu, .gpkg or others ('hodt formats' lists all)")
+                  "Mesh to write: .ply, .obj, .vtu, .gpkg or others ('hodt formats' lists all), or\n"
+                  "a raster: .tif")
       ->required()
       ->type_name("OUTPUT");
   command
@@ -274,6 +285,7 @@ void add_triangulate(CLI::App& app, Action& action) {
   add_keep(command, arguments->keep);
   add_changes(command, arguments->changes);
   add_constraints(command, arguments->constraints);
+  add_raster_options(command, arguments->raster);
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
       ->type_name("FILE");
@@ -287,6 +299,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       "  hodt triangulate mesh.ply -o better.ply --objective min-max-angle\n"
       "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o "
       "site.ply\n"
+      "  hodt triangulate tile.laz -o dem.tif --resolution 1 --hillshade shade.tif\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
       "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
