@@ -18,7 +18,7 @@ void WallWalk::begin(VertexId u, Index limit, Towards towards) {
   for_each_outgoing(mesh, graph_.outgoing[u], [&](HalfEdgeId h) {
     const VertexId right = mesh.target(h), left = mesh.apex(h);
     constexpr Chain none{kNone, 0};
-    add({TriangleMesh::next(h), left, right, longer(none, left), longer(none, right)});
+    add({TriangleMesh::next(h), left, right, longer(none, left), longer(none, right)}, Side::both);
   });
 }
 
@@ -48,8 +48,9 @@ bool WallWalk::is_sought(VertexId v) const {
          lexicographically_less(graph_.point(u_), graph_.point(v)) == (towards_ == Towards::larger);
 }
 
-/// Adds a window unless nothing can come of it.
-void WallWalk::add(const Window& window) {
+/// Adds a window unless nothing can come of it. Looks around on the side of the last vertex only:
+/// on the other one little is new.
+void WallWalk::add(const Window& window, Side side) {
   if (is_closed(graph_, window.edge)) return;
   // What is between two rays to larger vertices is larger itself.
   if (!is_sought(window.left_ray) && !is_sought(window.right_ray)) return;
@@ -60,7 +61,8 @@ void WallWalk::add(const Window& window) {
                       graph_.point(mesh.target(window.edge)));
   const auto is_right = [&](const Point& p) { return orient(u, right_ray, p) < 0; };
   const auto is_left = [&](const Point& p) { return orient(u, left_ray, p) > 0; };
-  if (holds_more(window.right, window.edge, circle, is_right) ||
+  if (side != Side::left && holds_more(window.right, window.edge, circle, is_right)) return;
+  if (side != Side::right &&
       holds_more(window.left, TriangleMesh::next(window.edge), circle, is_left))
     return;
   windows_.push_back(window);
@@ -101,17 +103,19 @@ void WallWalk::look_through(const Window& window) {
   const VertexId w = mesh.origin(to_left);
   const Point &u = graph_.point(u_), &p = graph_.point(w);
   if (orient(u, graph_.point(window.left_ray), p) >= 0) {
-    add({to_right, window.left_ray, window.right_ray, longer(window.left, w), window.right});
+    add({to_right, window.left_ray, window.right_ray, longer(window.left, w), window.right},
+        Side::left);
   } else if (orient(u, graph_.point(window.right_ray), p) <= 0) {
-    add({to_left, window.left_ray, window.right_ray, window.left, longer(window.right, w)});
+    add({to_left, window.left_ray, window.right_ray, window.left, longer(window.right, w)},
+        Side::right);
   } else {
     if (is_sought(w)) {
       candidate_ = w;
       candidate_left_ = window.left;
       candidate_right_ = window.right;
     }
-    add({to_left, window.left_ray, w, window.left, longer(window.right, w)});
-    add({to_right, w, window.right_ray, longer(window.left, w), window.right});
+    add({to_left, window.left_ray, w, window.left, longer(window.right, w)}, Side::right);
+    add({to_right, w, window.right_ray, longer(window.left, w), window.right}, Side::left);
   }
 }
 

@@ -59,10 +59,13 @@ class WallWalk {
     Chain left, right;
   };
 
+  /// Where a vertex has come up last.
+  enum class Side { left, right, both };
+
   void begin(VertexId u, Index limit, Towards towards);
   bool find_next();
   void look_through(const Window& window);
-  void add(const Window& window);
+  void add(const Window& window, Side side);
   Index useful_order();
   Chain longer(const Chain& chain, VertexId v);
   bool is_sought(VertexId v) const;
