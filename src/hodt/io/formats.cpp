@@ -1,9 +1,13 @@
 #include "hodt/io/formats.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/file_kind.h"
 #include "hodt/io/file_name.h"
+#include "hodt/io/gdal/readers.h"
 #include "hodt/io/geojson_reader.h"
 #include "hodt/io/input_text.h"
 #include "hodt/io/obj.h"
@@ -15,11 +19,24 @@ namespace hodt {
 namespace {
 
 PointTable read_table(const std::filesystem::path& path, const PointChoice& choice) {
+  check_choice(choice, PointKind::table, display_name(path));
   return parse_point_table(read_input(path), choice.columns);
 }
 
-void read_geojson_file(const std::filesystem::path& path, const FeatureTaker& taker) {
-  read_geojson(read_input(path), taker);
+/// Tables have this extension, too.
+PointTable read_grid_or_table(const std::filesystem::path& path, const PointChoice& choice) {
+  InputText input = read_input(path);
+  if (is_esri_grid(input.view())) return read_raster_points(path, choice);
+  check_choice(choice, PointKind::table, input.name);
+  return parse_point_table(std::move(input), choice.columns);
+}
+
+std::string read_geojson_file(const std::filesystem::path& path, const std::string& layer,
+                              const FeatureTaker& taker) {
+  if (!layer.empty())
+    throw ParameterError(
+        fmt::format("{} is GeoJSON, which has no layers, and no '{}'", display_name(path), layer));
+  return read_geojson(read_input(path), taker);
 }
 
 template <Tin (*parse)(const InputText&)>
@@ -33,8 +50,8 @@ constexpr Format kFormats[] = {
     // name, extensions, packed, points, features, mesh, write points, write mesh, what that keeps
     {"CSV", ".csv", true, read_table, nullptr, nullptr, write_csv, nullptr, kNoMesh},
     {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, kNoMesh},
-    {"GeoJSON", ".geojson .json", true, nullptr, read_geojson_file, nullptr, nullptr, nullptr,
-     kNoMesh},
+    {"GeoJSON", ".geojson .json", true, read_layer_points, read_geojson_file, nullptr, nullptr,
+     nullptr, kNoMesh},
     {"OBJ",
      ".obj",
      true,
@@ -53,6 +70,42 @@ constexpr Format kFormats[] = {
      nullptr,
      write_ply,
      {true, true, false}},
+    {"GeoPackage", ".gpkg", false, read_layer_points, read_layer_features, nullptr, nullptr,
+     nullptr, kNoMesh},
+    {"Shapefile", ".shp", false, read_layer_points, read_layer_features, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"FlatGeobuf", ".fgb", false, read_layer_points, read_layer_features, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"DXF", ".dxf", false, read_layer_points, read_layer_features, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"GML", ".gml", false, read_layer_points, read_layer_features, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"KML", ".kml", false, read_layer_points, read_layer_features, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"MapInfo", ".tab .mif", false, read_layer_points, read_layer_features, nullptr, nullptr,
+     nullptr, kNoMesh},
+    {"SQLite", ".sqlite", false, read_layer_points, read_layer_features, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"ESRI ASCII grid", ".asc", true, read_grid_or_table, nullptr, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"GeoTIFF", ".tif .tiff", false, read_raster_points, nullptr, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"GDAL virtual raster", ".vrt", false, read_raster_points, nullptr, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"ERDAS Imagine", ".img", false, read_raster_points, nullptr, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"SRTM", ".hgt", false, read_raster_points, nullptr, nullptr, nullptr, nullptr, kNoMesh},
+    {"USGS DEM", ".dem", false, read_raster_points, nullptr, nullptr, nullptr, nullptr, kNoMesh},
+    {"DTED", ".dt0 .dt1 .dt2", false, read_raster_points, nullptr, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"netCDF grid", ".nc", false, read_raster_points, nullptr, nullptr, nullptr, nullptr, kNoMesh},
+    {"Surfer grid", ".grd", false, read_raster_points, nullptr, nullptr, nullptr, nullptr, kNoMesh},
+    {"ESRI float and BIL grids", ".flt .bil", false, read_raster_points, nullptr, nullptr, nullptr,
+     nullptr, kNoMesh},
+    {"ESRI binary grid", ".adf", false, read_raster_points, nullptr, nullptr, nullptr, nullptr,
+     kNoMesh},
+    {"JPEG 2000", ".jp2", false, read_raster_points, nullptr, nullptr, nullptr, nullptr, kNoMesh},
+    {"GRIB", ".grb .grb2", false, read_raster_points, nullptr, nullptr, nullptr, nullptr, kNoMesh},
 };
 
 bool has_extension(const Format& format, std::string_view extension) {
@@ -125,8 +178,10 @@ bool can(const Format& format, Use use) {
 
 const Format* find_format(const std::filesystem::path& path, Use use) {
   const std::string extension = extension_of(path, use);
+  const bool is_packed = use != Use::write_tin && is_packed_name(path);
   for (const Format& format : kFormats)
-    if (can(format, use) && has_extension(format, extension)) return &format;
+    if (can(format, use) && has_extension(format, extension))
+      return is_packed && !format.can_be_packed ? nullptr : &format;
   return nullptr;
 }
 

@@ -3,12 +3,14 @@
 // Tested by tests/io/gdal_test.cpp.
 #include "hodt/base/error.h"
 #include "hodt/io/formats.h"
+#include "hodt/io/gdal/crs_facts.h"
+#include "hodt/io/gdal/readers.h"
 
 namespace hodt {
 
 namespace {
 
-[[noreturn, maybe_unused]] void refuse() {
+[[noreturn]] void refuse() {
   throw ParameterError(
       "this format needs GDAL, without which this hodt was built; install it (on Debian: apt "
       "install "
@@ -19,6 +21,27 @@ namespace {
 
 bool has_gdal() {
   return false;
+}
+
+std::optional<CrsFacts> crs_facts(const std::string&) {
+  return std::nullopt;
+}
+
+bool are_equal_crs(const std::string&, const std::string&) {
+  return false;
+}
+
+PointTable read_layer_points(const std::filesystem::path&, const PointChoice&) {
+  refuse();
+}
+
+PointTable read_raster_points(const std::filesystem::path&, const PointChoice&) {
+  refuse();
+}
+
+std::string read_layer_features(const std::filesystem::path&, const std::string&,
+                                const FeatureTaker&) {
+  refuse();
 }
 
 }  // namespace hodt

@@ -47,6 +47,8 @@ struct TakenColumn {
 struct TakenColumns {
   TakenColumn x, y;
   std::optional<TakenColumn> z;
+  /// Of what is no table, where the coordinates are from instead: "x, y and z of layer 'spots'".
+  std::string source = {};
 };
 
 /// How sure it is which columns are the coordinates.
