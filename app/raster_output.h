@@ -22,10 +22,10 @@ struct RasterArguments {
 /// The options --resolution, --like and --hillshade.
 void add_raster_options(CLI::App& command, RasterArguments& arguments);
 
-/// All that can be said before there is a mesh; `output` is the raster of heights, empty if there is
-/// to be none. Throws ParameterError unless the names are those of rasters and the cells are given in
-/// one way, and if one of the files is one of the others, of those that are read, or that are
-/// written; FileError if it cannot be written.
+/// All that can be said before there is a mesh; `output` is the raster of heights, empty if there
+/// is to be none. Throws ParameterError unless the names are those of rasters and the cells are
+/// given in one way, and if one of the files is one of the others, of those that are read, or that
+/// are written; FileError if it cannot be written.
 void check_raster(const RasterArguments& arguments, const std::string& output,
                   std::span<const std::string> read, std::span<const std::string> written);
 

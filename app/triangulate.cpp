@@ -1,5 +1,6 @@
 // hodt triangulate: points in, a mesh out.
 // Tested by tests/app/command_test.cpp.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "app/constraints_input.h"
 #include "app/duplicates_text.h"
 #include "app/keep.h"
+#include "app/layer_file.h"
 #include "app/mean_angle.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
@@ -44,27 +46,27 @@ struct Arguments {
 /// What INPUT holds: points, or a mesh to improve.
 struct Source {
   bool is_tin = false;
-  PointTable table;         ///< of a mesh, its points alone
+  InputPoints input;        ///< of a mesh, its points alone
   Constraints constraints;  ///< of a mesh, by which its outline and its holes stay
   std::size_t unused_vertices = 0;
   std::vector<Index> numbers;  ///< of the mesh's vertices among the points
 };
 
 Source read_source(const PointsInput& input) {
-  if (!find_format(input.file, Use::read_tin)) return {false, read_input_points(input), {}, 0, {}};
-  if (!input.columns.empty())
-    throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
-                         " is a mesh");
-  if (input.chooses_las())
-    throw ParameterError("--las-class and --las-return are for LAS and LAZ files, and " +
-                         display_name(input.file) + " is a mesh");
-  Tin tin = read_tin(input.file);
-  GivenTin given = naming(input.file, [&] { return given_tin(std::move(tin)); });
-  return {true,
-          {std::move(given.points), {}, {}},
-          std::move(given.constraints),
-          given.unused_vertices,
-          std::move(given.number)};
+  const auto is_mesh = [](const std::string& file) {
+    return find_format(file, Use::read_tin) != nullptr;
+  };
+  const auto mesh = std::find_if(input.files.begin(), input.files.end(), is_mesh);
+  if (mesh == input.files.end()) return {false, read_input_points(input), {}, 0, {}};
+  if (input.files.size() > 1)
+    throw ParameterError(display_name(*mesh) + " is a mesh, which cannot be one of several files");
+  if (input.chooses_points())
+    throw ParameterError("--columns and other options that choose points are for points, and " +
+                         display_name(*mesh) + " is a mesh");
+  Tin tin = read_tin(*mesh);
+  GivenTin given = naming(*mesh, [&] { return given_tin(std::move(tin)); });
+  return {true, input_points(input, std::move(given.points)), std::move(given.constraints),
+          given.unused_vertices, std::move(given.number)};
 }
 
 /// The same count of both triangulations, as JSON.
@@ -104,7 +106,9 @@ Json given_json(const Report& report, const Source& source) {
 Json report_json(const Report& report, const Order& k, const Source& source,
                  const Json& constraints) {
   return {{"points", report.points},
-          {"columns", source.is_tin ? Json(nullptr) : to_json(source.table.columns)},
+          {"files", std::max<std::size_t>(1, source.input.files.size())},
+          {"columns", columns_json(source.input)},
+          {"crs", crs_json(source.input.crs)},
           {"input", given_json(report, source)},
           {"duplicates", report.duplicates},
           {"duplicate_heights", heights_json(report.duplicate_heights)},
@@ -142,7 +146,7 @@ std::string summary(const Report& report, const Source& source, const std::strin
                     const Arguments& arguments) {
   std::string text = fmt::format("{:<13} {}, {}\n", "points", report.points,
                                  dropped_text(report.duplicates, report.duplicate_heights));
-  if (!source.is_tin) text += fmt::format("{:<13} {}\n", "columns", text_of(source.table.columns));
+  text += inputs_text(source.input, 13);
   text += constraints;
   if (report.given)
     text += fmt::format("{:<13} a mesh of order {}{}{}\n", "input", report.given->order,
@@ -181,16 +185,18 @@ TriangulateOptions options_of(const Arguments& arguments) {
   options.method = method_from_name(arguments.method);
   check_method(options.method, options.objective);
   options.time_limit = parse_seconds(arguments.time_limit);
-  read_keep(arguments.keep, arguments.input.file, options);
+  read_keep(arguments.keep, arguments.input, options);
   return options;
 }
 
 /// All files that are read.
 std::vector<std::string> inputs_of(const Arguments& arguments) {
-  std::vector<std::string> files = arguments.constraints.breaklines;
-  for (const std::string& file : {arguments.input.file, arguments.keep.places,
-                                  arguments.constraints.outline, arguments.constraints.keep_edges})
-    files.push_back(file);
+  std::vector<std::string> files = arguments.input.files;
+  for (const std::string& file : arguments.constraints.breaklines)
+    files.push_back(layer_file(file).file);
+  for (const std::string& file :
+       {arguments.keep.places, arguments.constraints.outline, arguments.constraints.keep_edges})
+    files.push_back(layer_file(file).file);
   return files;
 }
 
@@ -205,12 +211,13 @@ int run(const Arguments& arguments) {
     options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
   }
   if (is_raster || arguments.raster.any())
-    check_raster(arguments.raster, is_raster ? arguments.output : "", inputs_of(arguments),
-                 {{arguments.output, arguments.json, arguments.changes.pits,
-                   arguments.changes.changed}});
-  check_targets(arguments.input.file, arguments.output, arguments.json);
-  check_targets(arguments.keep.places, arguments.output, arguments.json);
-  check_constraints(arguments.constraints, arguments.input.file, arguments.output, arguments.json);
+    check_raster(
+        arguments.raster, is_raster ? arguments.output : "", inputs_of(arguments),
+        {{arguments.output, arguments.json, arguments.changes.pits, arguments.changes.changed}});
+  check_targets(arguments.input, arguments.output, arguments.json);
+  check_targets(layer_file(arguments.keep.places).file, arguments.output, arguments.json);
+  const std::string input = arguments.input.name();
+  check_constraints(arguments.constraints, input, arguments.output, arguments.json);
 
   check_changes(arguments.changes, inputs_of(arguments), {{arguments.output, arguments.json}});
   options.tell_changes = arguments.changes.any();
@@ -225,12 +232,14 @@ int run(const Arguments& arguments) {
     TerminalProgress progress;
     progress.report("reading");
     source = read_source(arguments.input);
-    Joined joined = read_constraints(arguments.constraints, arguments.input.file,
-                                     std::move(source.table.points), source.numbers);
-    if (source.is_tin) add_given(source.constraints, arguments.input.file, joined);
+    require_same_crs(input, source.input.crs, options.keep.source, options.keep.crs);
+    Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
+                                     source.numbers);
+    if (source.is_tin) add_given(source.constraints, input, joined);
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    result = triangulate_joined(arguments.input.file, joined, options);
+    result = triangulate_joined(input, joined, options);
+    if (source.input.duplicates) result.report.duplicate_heights = source.input.duplicates;
     if (arguments.constraints.any()) {
       constraints_lines = constraints_text(joined.report, result.report.constraints);
       constraints = constraints_json(joined.report, result.report.constraints);
@@ -245,7 +254,7 @@ int run(const Arguments& arguments) {
     write_changes(arguments.changes, result, outputs);
     result.report.seconds.write = watch.lap();
     if (!is_raster) warn_of_rounding(arguments.output, result.tin);
-    print_warnings(arguments.input.file, source.table);
+    print_warnings(source.input);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
                      arguments.json);
@@ -261,9 +270,10 @@ void add_triangulate(CLI::App& app, Action& action) {
       *app.add_subcommand("triangulate", "Triangulate points, with low order and few pits");
   add_points_input(command, arguments->input);
   command
-      .add_option("-o,--output", arguments->output,
-                  "Mesh to write: .ply, .obj, .vtu, .gpkg or others ('hodt formats' lists all), or\n"
-                  "a raster: .tif")
+      .add_option(
+          "-o,--output", arguments->output,
+          "Mesh to write: .ply, .obj, .vtu, .gpkg or others ('hodt formats' lists all), or\n"
+          "a raster: .tif")
       ->required()
       ->type_name("OUTPUT");
   command
@@ -296,6 +306,8 @@ void add_triangulate(CLI::App& app, Action& action) {
       "Examples:\n"
       "  hodt triangulate terrain.csv -o terrain.ply\n"
       "  hodt triangulate survey.txt --columns x=3,y=2,z=4 -o survey.ply\n"
+      "  hodt triangulate tile1.tif tile2.tif --stride 2 -o tiles.ply\n"
+      "  hodt triangulate survey.gpkg --layer spots --z-field height -o survey.ply\n"
       "  hodt triangulate mesh.ply -o better.ply --objective min-max-angle\n"
       "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o "
       "site.ply\n"

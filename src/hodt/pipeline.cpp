@@ -85,6 +85,7 @@ std::vector<std::array<Index, 3>> triangle_list(const TriangleMesh& mesh,
 PointSet kept_points(const PointSet& points, const OutputNumbering& numbering) {
   if (numbering.count() == points.size()) return points;
   PointSet kept;
+  kept.crs = points.crs;
   for (std::size_t row = 0; row < points.size(); ++row) {
     if (!numbering.is_kept(row)) continue;
     kept.xy.push_back(points.xy[row]);
@@ -252,6 +253,7 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   result.tin.triangles = triangle_list(delaunay.mesh, numbering);
   report.seconds.delaunay += watch.lap();
   result.tin.points = kept_points(points, numbering);
+  result.tin.crs = points.crs;
   if (options.tell_changes)
     result.changes = what_changed(before, delaunay.mesh, vertices, prepared.keep, result.tin.order,
                                   numbering.of_vertices());

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "hodt/geometry/point.h"
@@ -14,6 +15,8 @@ struct PointSet {
   std::vector<Point> xy;
   /// Heights, one a point; empty if the input has none.
   std::vector<double> z;
+  /// The coordinate reference system, as "EPSG:25832" or WKT; empty if unknown.
+  std::string crs = {};
 
   std::size_t size() const { return xy.size(); }
   bool has_heights() const { return !z.empty(); }

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/file_kind.h"
 #include "hodt/io/file_name.h"
+#include "hodt/io/gdal/readers.h"
 #include "hodt/io/gdal/writers.h"
 #include "hodt/io/geojson.h"
 #include "hodt/io/geojson_reader.h"
@@ -31,15 +33,28 @@ namespace {
 /// What a file of points is, its bytes say.
 PointTable read_table(const std::filesystem::path& path, const PointChoice& choice) {
   InputText input = read_input(path);
-  if (is_las(input.view())) return read_las_table(input, choice);
-  if (choice.las)
-    throw ParameterError(fmt::format(
-        "--las-class and --las-return are for LAS and LAZ files, and {} is none", input.name));
+  if (is_las(input.view())) {
+    check_choice(choice, PointKind::las, input.name);
+    return read_las_table(input, choice);
+  }
+  check_choice(choice, PointKind::table, input.name);
   return parse_point_table(std::move(input), choice.columns);
 }
 
-void read_geojson_file(const std::filesystem::path& path, const FeatureTaker& taker) {
-  read_geojson(read_input(path), taker);
+/// Tables have this extension, too.
+PointTable read_grid_or_table(const std::filesystem::path& path, const PointChoice& choice) {
+  InputText input = read_input(path);
+  if (is_esri_grid(input.view())) return read_raster_points(path, choice);
+  check_choice(choice, PointKind::table, input.name);
+  return parse_point_table(std::move(input), choice.columns);
+}
+
+std::string read_geojson_file(const std::filesystem::path& path, const std::string& layer,
+                              const FeatureTaker& taker) {
+  if (!layer.empty())
+    throw ParameterError(
+        fmt::format("{} is GeoJSON, which has no layers, and no '{}'", display_name(path), layer));
+  return read_geojson(read_input(path), taker);
 }
 
 template <Tin (*parse)(const InputText&)>
@@ -80,18 +95,45 @@ constexpr Format kFormats[] = {
     {.name = "STL", .extensions = ".stl",
      .write_tin = write_stl},
     {.name = "GeoJSON", .extensions = ".geojson .json", .can_be_packed = true,
-     .read_features = read_geojson_file, .write_tin = write_triangles<write_geojson_layer>,
-     .write_features = write_geojson_layer,
+     .read_points = read_layer_points, .read_features = read_geojson_file,
+     .write_tin = write_triangles<write_geojson_layer>, .write_features = write_geojson_layer,
      .keeps = {.heights = true, .crs = true, .order = true}},
     {.name = "GeoPackage", .extensions = ".gpkg",
+     .read_points = read_layer_points, .read_features = read_layer_features,
      .write_tin = write_triangles<write_geopackage>, .write_features = write_geopackage,
      .keeps = {.heights = true, .crs = true, .order = true}},
     {.name = "FlatGeobuf", .extensions = ".fgb",
+     .read_points = read_layer_points, .read_features = read_layer_features,
      .write_tin = write_triangles<write_flatgeobuf>, .write_features = write_flatgeobuf,
      .keeps = {.heights = true, .crs = true, .order = true}},
     {.name = "Shapefile", .extensions = ".shp",
+     .read_points = read_layer_points, .read_features = read_layer_features,
      .write_tin = write_triangles<write_shapefile>, .write_features = write_shapefile,
      .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "DXF", .extensions = ".dxf",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "GML", .extensions = ".gml",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "KML", .extensions = ".kml",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "MapInfo", .extensions = ".tab .mif",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "SQLite", .extensions = ".sqlite",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "ESRI ASCII grid", .extensions = ".asc", .can_be_packed = true,
+     .read_points = read_grid_or_table},
+    {.name = "GeoTIFF", .extensions = ".tif .tiff", .read_points = read_raster_points},
+    {.name = "GDAL virtual raster", .extensions = ".vrt", .read_points = read_raster_points},
+    {.name = "ERDAS Imagine", .extensions = ".img", .read_points = read_raster_points},
+    {.name = "SRTM", .extensions = ".hgt", .read_points = read_raster_points},
+    {.name = "USGS DEM", .extensions = ".dem", .read_points = read_raster_points},
+    {.name = "DTED", .extensions = ".dt0 .dt1 .dt2", .read_points = read_raster_points},
+    {.name = "netCDF grid", .extensions = ".nc", .read_points = read_raster_points},
+    {.name = "Surfer grid", .extensions = ".grd", .read_points = read_raster_points},
+    {.name = "ESRI float and BIL grids", .extensions = ".flt .bil", .read_points = read_raster_points},
+    {.name = "ESRI binary grid", .extensions = ".adf", .read_points = read_raster_points},
+    {.name = "JPEG 2000", .extensions = ".jp2", .read_points = read_raster_points},
+    {.name = "GRIB", .extensions = ".grb .grb2", .read_points = read_raster_points},
 };
 // clang-format on
 
@@ -174,8 +216,10 @@ bool can(const Format& format, Use use) {
 
 const Format* find_format(const std::filesystem::path& path, Use use) {
   const std::string extension = extension_of(path, use);
+  const bool is_packed = use != Use::write_tin && is_packed_name(path);
   for (const Format& format : kFormats)
-    if (can(format, use) && has_extension(format, extension)) return &format;
+    if (can(format, use) && has_extension(format, extension))
+      return is_packed && !format.can_be_packed ? nullptr : &format;
   return nullptr;
 }
 

@@ -32,7 +32,9 @@ struct Format {
   /// Whether it may be packed with gzip, and the name end in .gz. Meshes are never written so.
   bool can_be_packed = false;
   PointTable (*read_points)(const std::filesystem::path&, const PointChoice&) = nullptr;
-  void (*read_features)(const std::filesystem::path&, const FeatureTaker&) = nullptr;
+  /// Of the layer of that name; empty: the only one. Returns the coordinate reference system.
+  std::string (*read_features)(const std::filesystem::path&, const std::string& layer,
+                               const FeatureTaker&) = nullptr;
   Tin (*read_tin)(const std::filesystem::path&) = nullptr;
   void (*write_points)(const PointSet&, OutputFile&) = nullptr;
   void (*write_tin)(const Tin&, OutputFile&) = nullptr;

@@ -13,12 +13,10 @@
 namespace hodt {
 
 PointTable read_las_table(const InputText& input, const PointChoice& choice) {
-  if (!choice.columns.empty())
-    throw ParameterError(
-        fmt::format("columns can be chosen in tables of points, and {} is LAS", input.name));
   LasPoints las = read_las(input, choice.las.value_or(LasChoice()));
   std::vector<std::string> warnings = warn_of_no_data(las.points);
   const TakenColumns taken{{1, "X"}, {2, "Y"}, {{3, "Z"}}, las.counts};
+  las.points.crs = std::move(las.crs);
   return {std::move(las.points), taken, std::move(warnings)};
 }
 

@@ -7,18 +7,11 @@
 #include <vector>
 
 #include "hodt/geometry/point_set.h"
-#include "hodt/io/column_choice.h"
 #include "hodt/io/input_text.h"
-#include "hodt/io/las/las_choice.h"
+#include "hodt/io/point_choice.h"
 #include "hodt/io/table_layout.h"
 
 namespace hodt {
-
-/// What the user says of a file of points: how it is to be read.
-struct PointChoice {
-  ColumnChoice columns = {};          ///< of tables
-  std::optional<LasChoice> las = {};  ///< of LAS and LAZ
-};
 
 /// Points, and how they were read.
 struct PointTable {

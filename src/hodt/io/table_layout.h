@@ -49,6 +49,8 @@ struct TakenColumns {
   TakenColumn x, y;
   std::optional<TakenColumn> z;
   std::optional<LasCounts> las;  ///< of a LAS file: which of its points
+  /// Of what is no table, where the coordinates are from instead: "x, y and z of layer 'spots'".
+  std::string source = {};
 };
 
 /// How sure it is which columns are the coordinates.

@@ -33,6 +33,7 @@ GivenTin given_tin(Tin tin) {
     given.points.xy.push_back(tin.points.xy[v]);
     if (tin.points.has_heights()) given.points.z.push_back(tin.points.z[v]);
   }
+  given.points.crs = std::move(tin.crs);
   given.unused_vertices = number.size() - next;
   for (auto& corners : tin.triangles)
     for (Index& v : corners) v = number[v];

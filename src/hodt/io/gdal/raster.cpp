@@ -9,6 +9,7 @@
 #include "hodt/base/error.h"
 #include "hodt/io/gdal/dataset.h"
 #include "hodt/io/gdal/spatial_reference.h"
+#include "hodt/io/gdal/writers.h"
 #include "hodt/io/input_text.h"
 #include "hodt/io/raster_file.h"
 
@@ -40,6 +41,14 @@ struct RasterWriter::State {
   RasterType type;
   int columns;
 
+  /// A system that is not known is not lost in silence.
+  void set_crs(const std::string& crs) {
+    const std::string definition = crs_definition(crs);
+    if (definition.empty() ||
+        gdal().GDALSetProjection(dataset.get(), definition.c_str()) != CE_None)
+      throw ParameterError(fmt::format(
+          "GDAL does not know the coordinate reference system {}; name another by --crs", crs));
+  }
   [[noreturn]] void fail() {
     throw FileError(fmt::format("cannot write the raster: {}", errors.take()));
   }
@@ -53,7 +62,7 @@ RasterWriter::RasterWriter(const std::filesystem::path& path, const Grid& grid,
   GDALDatasetH dataset = state_->dataset.get();
   std::array<double, 6> affine = {grid.west, grid.width, 0, grid.north, 0, -grid.height};
   gdal().GDALSetGeoTransform(dataset, affine.data());
-  if (!crs.empty()) set_crs(dataset, crs);
+  if (!crs.empty()) state_->set_crs(crs);
   gdal().GDALSetRasterNoDataValue(gdal().GDALGetRasterBand(dataset, 1), no_data);
 }
 
