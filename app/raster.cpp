@@ -40,7 +40,7 @@ int run(const Arguments& arguments) {
     TerminalProgress progress;
     progress.report("reading");
     const Tin tin = read_surface(arguments.tin);
-    grid = naming(arguments.tin, [&] { return grid_of(arguments.raster, tin); });
+    grid = grid_of(arguments.raster, tin, arguments.tin);
     progress.report("writing");
     naming(arguments.tin, [&] {
       write_rasters(tin, grid, arguments.raster, arguments.output, outputs);

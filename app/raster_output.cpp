@@ -1,5 +1,6 @@
 #include "app/raster_output.h"
 
+#include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -41,14 +42,11 @@ void check_raster(const RasterArguments& arguments, const std::string& output,
           fmt::format("--hillshade names {}, which is another output as well", shade));
 }
 
-Grid grid_of(const RasterArguments& arguments, const Tin& tin) {
+Grid grid_of(const RasterArguments& arguments, const Tin& tin, const std::string& name) {
   if (arguments.like.empty())
     return grid_over(tin, parse_number("--resolution", arguments.resolution));
   const GridOfFile like = read_grid(arguments.like);
-  if (!tin.crs.empty() && !like.crs.empty() && !is_same_crs(tin.crs, like.crs))
-    throw InputError(fmt::format("{} is in {}, but the mesh is in {}; transform one of them",
-                                 display_name(arguments.like), crs_title(like.crs),
-                                 crs_title(tin.crs)));
+  require_same_crs(name, tin.crs, arguments.like, like.crs);
   return like.grid;
 }
 

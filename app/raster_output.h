@@ -30,8 +30,8 @@ void check_raster(const RasterArguments& arguments, const std::string& output,
                   std::span<const std::string> read, std::span<const std::string> written);
 
 /// The cells: those of --like, or as large as --resolution says. Throws InputError if the raster
-/// is of another coordinate reference system than the mesh.
-Grid grid_of(const RasterArguments& arguments, const Tin& tin);
+/// is of another coordinate reference system than the mesh, which errors call `name`.
+Grid grid_of(const RasterArguments& arguments, const Tin& tin, const std::string& name);
 
 /// Writes the rasters that were asked for, heights to `output` unless it is empty.
 void write_rasters(const Tin& tin, const Grid& grid, const RasterArguments& arguments,

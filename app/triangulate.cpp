@@ -248,7 +248,7 @@ int run(const Arguments& arguments) {
     progress.report("writing");
     watch.lap();
     if (is_raster || arguments.raster.any())
-      write_rasters(result.tin, grid_of(arguments.raster, result.tin), arguments.raster,
+      write_rasters(result.tin, grid_of(arguments.raster, result.tin, input), arguments.raster,
                     is_raster ? arguments.output : "", outputs);
     if (!is_raster) write_tin(result.tin, outputs.open(arguments.output));
     write_changes(arguments.changes, result, outputs);
