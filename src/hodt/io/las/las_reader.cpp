@@ -1,9 +1,16 @@
 #include "hodt/io/las/las_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <bitset>
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <numeric>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -61,11 +68,29 @@ std::vector<Chunk> cut_plain_points(const InputText& input, const LasHeader& hea
   return chunks;
 }
 
-/// What a chunk became.
+using ClassCounts = std::array<std::uint64_t, LasChoice::kClasses>;
+
+/// The same, added up by all threads.
+class SharedClassCounts {
+ public:
+  void add(const ClassCounts& counts) {
+    for (std::size_t c = 0; c < counts.size(); ++c)
+      if (counts[c] > 0) sums_[c].fetch_add(counts[c], std::memory_order_relaxed);
+  }
+  ClassCounts get() const {
+    ClassCounts counts;
+    std::copy(sums_.begin(), sums_.end(), counts.begin());
+    return counts;
+  }
+
+ private:
+  std::array<std::atomic<std::uint64_t>, LasChoice::kClasses> sums_{};
+};
+
+/// What a chunk became. There may be as many as points, so this is small.
 struct DecodedChunk {
   std::vector<RawPoint> points;
-  std::array<std::uint64_t, LasChoice::kClasses> of_class{};
-  std::uint64_t withheld = 0;
+  std::size_t read = 0;
   std::size_t taken = 0;
   std::size_t begin = 0;  ///< of its points among all that are taken
   std::string damage;
@@ -86,7 +111,6 @@ class Reader {
 
   LasPoints read() {
     decode();
-    count_classes();
     choose();
     place();
     return {std::move(points_), crs_of(header_), counts_};
@@ -109,26 +133,41 @@ class Reader {
   void decode() {
     decoded_.resize(chunks_.size());
     PerThread<std::unique_ptr<ChunkDecoder>> decoders([&] { return decoder(); });
+    SharedClassCounts of_class;
     for_each_chunk([&](std::size_t i) {
-      DecodedChunk& decoded = decoded_[i];
-      // Many points in few bytes are possible, but not likely: room is made as they come.
-      constexpr std::size_t likely = 100000;
-      decoded.points.reserve(std::min(chunks_[i].points, likely));
-      try {
-        decoders.mine()->decode(chunks_[i], decoded.points);
-      } catch (const Damage& damage) {
-        decoded.damage = damage.what;
-      }
-      for (const RawPoint& point : decoded.points) {
-        if (point.withheld) ++decoded.withheld;
-        if (!point.withheld) ++decoded.of_class[point.point_class];
-      }
+      decode(*decoders.mine(), chunks_[i], decoded_[i]);
+      of_class.add(count_classes(decoded_[i]));
     });
     std::size_t before = 0;
     for (std::size_t i = 0; i < chunks_.size(); ++i) {
       if (!decoded_[i].damage.empty()) fail(i, before);
       before += chunks_[i].points;
     }
+    counts_.of_class = of_class.get();
+    counts_.total = header_.point_count;
+    counts_.withheld = std::accumulate(counts_.of_class.begin(), counts_.of_class.end(),
+                                       counts_.total, std::minus<>());
+  }
+
+  static void decode(ChunkDecoder& decoder, const Chunk& chunk, DecodedChunk& decoded) {
+    // A point may take less than a byte, but seldom does: more room is made as they come.
+    const auto bytes = static_cast<std::size_t>(chunk.end - chunk.begin);
+    decoded.points.reserve(std::min(chunk.points, bytes));
+    try {
+      decoder.decode(chunk, decoded.points);
+    } catch (const Damage& damage) {
+      decoded.damage = damage.what;
+    }
+    decoded.read = decoded.points.size();
+    if (!decoded.damage.empty()) decoded.points = {};
+  }
+
+  /// Of points that are not withheld.
+  static ClassCounts count_classes(const DecodedChunk& chunk) {
+    ClassCounts counts{};
+    for (const RawPoint& point : chunk.points)
+      if (!point.withheld) ++counts[point.point_class];
+    return counts;
   }
 
   /// The first chunk that is damaged, whichever was seen first.
@@ -136,16 +175,7 @@ class Reader {
     throw InputError(
         fmt::format("{}: chunk {} of {}, which begins at byte {}, is damaged after point {}: {}",
                     input_.name, i + 1, chunks_.size(), chunks_[i].begin - input_.begin(),
-                    points_before + decoded_[i].points.size(), decoded_[i].damage));
-  }
-
-  void count_classes() {
-    for (const DecodedChunk& chunk : decoded_) {
-      counts_.withheld += chunk.withheld;
-      for (std::size_t c = 0; c < LasChoice::kClasses; ++c)
-        counts_.of_class[c] += chunk.of_class[c];
-    }
-    counts_.total = header_.point_count;
+                    points_before + decoded_[i].read, decoded_[i].damage));
   }
 
   /// Which classes, and which points of each chunk.
@@ -157,12 +187,12 @@ class Reader {
                           (choice_.classes == LasChoice::Classes::automatic && !has_ground);
     if (counts_.all_classes) classes_.set();
     counts_.returns = choice_.returns;
-    for_each_chunk([&](std::size_t i) { choose_of(decoded_[i]); });
+    SharedClassCounts taken_of_class;
+    for_each_chunk([&](std::size_t i) { taken_of_class.add(count_taken(decoded_[i])); });
+    counts_.taken_of_class = taken_of_class.get();
     for (DecodedChunk& chunk : decoded_) {
       chunk.begin = counts_.taken;
       counts_.taken += chunk.taken;
-      for (std::size_t c = 0; c < LasChoice::kClasses; ++c)
-        counts_.taken_of_class[c] += chunk.of_class[c];
     }
     for (std::size_t c = 0; c < LasChoice::kClasses; ++c)
       (classes_[c] ? counts_.other_return : counts_.other_class) +=
@@ -179,13 +209,14 @@ class Reader {
     return choice_.returns != LasChoice::Returns::last || point.last_return;
   }
 
-  void choose_of(DecodedChunk& chunk) const {
-    chunk.of_class = {};
+  ClassCounts count_taken(DecodedChunk& chunk) const {
+    ClassCounts counts{};
     for (const RawPoint& point : chunk.points) {
       if (!is_taken(point)) continue;
-      ++chunk.of_class[point.point_class];
+      ++counts[point.point_class];
       ++chunk.taken;
     }
+    return counts;
   }
 
   [[noreturn]] void throw_none() const {
