@@ -20,6 +20,7 @@
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/io/formats.h"
+#include "hodt/io/raster_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/pipeline.h"
 #include "hodt/pipeline/given_tin.h"
