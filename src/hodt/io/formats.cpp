@@ -65,7 +65,7 @@ constexpr Format kFormats[] = {
      nullptr,
      write_ply,
      nullptr,
-     {true, true, true}},
+     {true, true, false}},
     {"VTU",
      ".vtu",
      false,
