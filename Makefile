@@ -1,11 +1,12 @@
 # A thin front: CMake does the work, in build/<preset>. The two to know: make demo, make test.
 
-.PHONY: help demo build test bench lint format asan tsan clang fuzz clean
+.PHONY: help demo build test python bench lint format asan tsan clang fuzz clean
 
 help:
 	@echo "make demo    build hodt and run it on real terrain; results in demo/"
 	@echo "make test    build and run all tests"
 	@echo "make build   build the command: build/release/hodt"
+	@echo "make python  build a wheel and go through it in a fresh virtual environment"
 	@echo "make bench   build and run the benchmarks"
 	@echo "make lint    check the layers, the format and clang-tidy's rules"
 	@echo "make format  format all sources"
@@ -28,9 +29,14 @@ build:
 
 test:
 	@scripts/dependencies.sh test
-	cmake --preset release -DHODT_BUILD_TESTS=ON
+	@scripts/python_venv.sh
+	cmake --preset release -DHODT_BUILD_TESTS=ON -DHODT_BUILD_PYTHON=AUTO
 	cmake --build --preset release
 	ctest --test-dir build/release --output-on-failure -j2
+
+python:
+	@scripts/dependencies.sh python
+	scripts/python_wheel.sh
 
 bench:
 	@scripts/dependencies.sh bench

@@ -64,7 +64,9 @@ Action parse(CLI::App& app, int argc, const char* const* argv) {
   add_triangles(app, action);
   add_voronoi(app, action);
   add_compare(app, action);
+  add_contours(app, action);
   add_formats(app, action);
+  add_raster(app, action);
   check_command_name(app, argc, argv);
   try {
     app.parse(argc, argv);

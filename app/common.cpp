@@ -30,19 +30,19 @@ std::filesystem::path resolved(const std::filesystem::path& path) {
                                            ignored);
 }
 
-bool is_same_output(const std::filesystem::path& a, const std::filesystem::path& b) {
-  if (a.empty() || b.empty()) return false;
-  if (is_standard_output(a) || is_standard_output(b))
-    return is_standard_output(a) && is_standard_output(b);
-  return resolved(a) == resolved(b);
-}
-
 bool is_input(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code missing;
   return !is_standard_output(output) && std::filesystem::equivalent(output, input, missing);
 }
 
 }  // namespace
+
+bool is_same_output(const std::filesystem::path& a, const std::filesystem::path& b) {
+  if (a.empty() || b.empty()) return false;
+  if (is_standard_output(a) || is_standard_output(b))
+    return is_standard_output(a) && is_standard_output(b);
+  return resolved(a) == resolved(b);
+}
 
 std::uint64_t parse_whole(std::string_view option, const std::string& text, std::uint64_t least,
                           std::uint64_t most) {
@@ -83,14 +83,34 @@ Json to_json(const Order& order) {
   return value;
 }
 
-double parse_non_negative(std::string_view option, std::string_view what, const std::string& text) {
-  if (text.empty()) return 0;
+namespace {
+
+/// A finite number; nothing if the text is anything else.
+std::optional<double> finite_number(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_number = error == std::errc() && end == text.data() + text.size();
-  if (!is_number || !std::isfinite(value) || value < 0)
-    throw ParameterError(fmt::format("{} must be {}, not '{}'", option, what, text));
-  return value;
+  return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+[[noreturn]] void refuse_number(std::string_view option, std::string_view what,
+                                const std::string& text) {
+  throw ParameterError(fmt::format("{} must be {}, not '{}'", option, what, text));
+}
+
+}  // namespace
+
+double parse_number(std::string_view option, const std::string& text) {
+  const std::optional<double> value = finite_number(text);
+  if (!value) refuse_number(option, "a number", text);
+  return *value;
+}
+
+double parse_non_negative(std::string_view option, std::string_view what, const std::string& text) {
+  if (text.empty()) return 0;
+  const std::optional<double> value = finite_number(text);
+  if (!value || *value < 0) refuse_number(option, what, text);
+  return *value;
 }
 
 void add_threads(CLI::App& command, std::string& threads) {

@@ -45,7 +45,9 @@ void add_edges(CLI::App& app, Action& action);
 void add_triangles(CLI::App& app, Action& action);
 void add_voronoi(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
+void add_contours(CLI::App& app, Action& action);
 void add_formats(CLI::App& app, Action& action);
+void add_raster(CLI::App& app, Action& action);
 
 /// A whole number from an option's text. Throws ParameterError, naming the option, the text and the
 /// range, if it is anything else.
@@ -62,6 +64,8 @@ struct Order {
 Order parse_order(const std::string& text, std::string_view option = "-k", Index least = 0);
 Json to_json(const Order& order);
 
+/// A finite number from an option's text. Throws ParameterError, naming both, if it is none.
+double parse_number(std::string_view option, const std::string& text);
 /// A number that is not negative from an option's text; empty is 0. Throws ParameterError, saying
 /// that the option must be `what` ("a number of seconds").
 double parse_non_negative(std::string_view option, std::string_view what, const std::string& text);
@@ -96,6 +100,9 @@ void print(std::string_view lines);
 inline std::string shown(const std::filesystem::path& path) {
   return printable(path.string());
 }
+
+/// Whether both are written to the same place. An empty path is none.
+bool is_same_output(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Throws if two of them name the same file, or a target cannot be written. An empty path is no
 /// file.

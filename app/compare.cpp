@@ -9,6 +9,7 @@
 #include "app/comparison_table.h"
 #include "app/duplicates_text.h"
 #include "app/keep.h"
+#include "app/layer_file.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
 #include <fmt/format.h>
@@ -124,20 +125,20 @@ void check_files(const Arguments& arguments) {
       throw ParameterError(
           fmt::format("cannot write '{}': a report is a page, .html", arguments.output));
   }
-  if (arguments.input.file == "-" && arguments.truth == "-")
+  if (arguments.input.is_standard_input() && arguments.truth == "-")
     throw ParameterError("INPUT and --truth cannot both be standard input");
-  check_targets(arguments.input.file, arguments.output, arguments.json);
+  check_targets(arguments.input, arguments.output, arguments.json);
   check_targets(arguments.truth, arguments.output, arguments.json);
   if (arguments.truth == "-" && arguments.keep.places == "-")
     throw ParameterError("--truth and --keep cannot both be standard input");
-  check_targets(arguments.keep.places, arguments.output, arguments.json);
+  check_targets(layer_file(arguments.keep.places).file, arguments.output, arguments.json);
 }
 
 /// What is to be kept, if an objective counts minima.
 void read_keep(const Arguments& arguments, const std::vector<Choice>& choices,
                ComparisonOptions& options) {
   TriangulateOptions keep;
-  read_keep(arguments.keep, arguments.input.file, keep);
+  read_keep(arguments.keep, arguments.input, keep);
   if (arguments.keep.any() &&
       std::none_of(choices.begin(), choices.end(),
                    [](const Choice& choice) { return counts_minima(choice.objective); }))
@@ -197,7 +198,7 @@ Json truth_json(const Comparison& comparison) {
       {"delaunay_max_error", truth.delaunay ? to_json(truth.delaunay->max_error) : Json(nullptr)}};
 }
 
-Json comparison_json(const Comparison& comparison, const TakenColumns& columns) {
+Json comparison_json(const Comparison& comparison, const InputPoints& read) {
   Json objectives = Json::array();
   for (const ObjectiveComparison& objective : comparison.objectives) {
     Json rows = Json::array();
@@ -209,7 +210,9 @@ Json comparison_json(const Comparison& comparison, const TakenColumns& columns) 
          {"rows", std::move(rows)}});
   }
   return {{"points", comparison.points},
-          {"columns", to_json(columns)},
+          {"files", read.files.size()},
+          {"columns", columns_json(read)},
+          {"crs", crs_json(read.crs)},
           {"duplicates", comparison.duplicates},
           {"duplicate_heights", heights_json(comparison.duplicate_heights)},
           {"kept", comparison.kept ? Json(*comparison.kept) : Json(nullptr)},
@@ -220,12 +223,12 @@ Json comparison_json(const Comparison& comparison, const TakenColumns& columns) 
           {"objectives", std::move(objectives)}};
 }
 
-std::string summary(const Comparison& comparison, const TakenColumns& columns,
+std::string summary(const Comparison& comparison, const InputPoints& read,
                     const std::string& output) {
   std::string text;
   for (const Fact& fact : facts_of(comparison))
     text += fmt::format("{:<9} {}\n", fact.name, fact.text);
-  text += fmt::format("{:<9} {}\n", "columns", text_of(columns));
+  text += inputs_text(read, 9);
   if (!output.empty()) text += fmt::format("{:<9} {}\n", "written", shown(output));
   const bool many = comparison.objectives.size() > 1;
   if (many) text += "\n" + aligned(summary_table(comparison));
@@ -247,40 +250,43 @@ int run(const Arguments& arguments) {
   const std::vector<Choice> choices = parse_objectives(arguments.objectives);
   options.time_limit = parse_seconds(arguments.time_limit);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
+  check_choices(arguments.input);
   check_columns(arguments.truth_columns, "--truth-columns");
   check_files(arguments);
   read_keep(arguments, choices, options);
 
   Comparison comparison;
-  TakenColumns columns;
+  const std::string input = arguments.input.name();
+  InputPoints read;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointTable table = read_input_points(arguments.input);
-    const PointSet& points = table.points;
-    columns = table.columns;
-    options.objectives = usable(choices, points, arguments.input.file);
+    read = read_input_points(arguments.input);
+    const PointSet& points = read.points;
+    require_same_crs(input, read.crs, options.keep.source, options.keep.crs);
+    options.objectives = usable(choices, points, input);
     std::optional<PointTable> truth;
     if (!arguments.truth.empty()) {
       if (!points.has_heights())
         throw InputError(
             fmt::format("{}: --truth compares heights, and the points have none; add "
                         "a z column",
-                        display_name(arguments.input.file)));
+                        display_name(input)));
       truth = read_truth(arguments.truth, arguments.truth_columns);
+      require_same_crs(input, read.crs, arguments.truth, truth->points.crs);
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    comparison = naming(arguments.input.file,
-                        [&] { return compare(points, truth ? &truth->points : nullptr, options); });
-    print_warnings(arguments.input.file, table);
+    comparison =
+        naming(input, [&] { return compare(points, truth ? &truth->points : nullptr, options); });
+    if (read.duplicates) comparison.duplicate_heights = read.duplicates;
+    print_warnings(read);
     if (truth) print_warnings(arguments.truth, *truth);
   }
   Outputs outputs;
   if (!arguments.output.empty())
-    outputs.open(arguments.output).write(comparison_page(comparison, arguments.input.file));
-  outputs.write_json(comparison_json(comparison, columns), arguments.json);
-  outputs.commit(summary(comparison, columns, arguments.output));
+    outputs.open(arguments.output).write(comparison_page(comparison, input));
+  outputs.write_json(comparison_json(comparison, read), arguments.json);
+  outputs.commit(summary(comparison, read, arguments.output));
   return kOk;
 }
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "app/layer_file.h"
+#include "app/points_input.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -74,7 +76,8 @@ bool has_edges(std::span<const std::array<Index, 3>> triangles,
 
 /// Whether the edges to keep are lines, and no table.
 bool keeps_lines(const ConstraintArguments& arguments) {
-  return !arguments.keep_edges.empty() && find_format(arguments.keep_edges, Use::read_features);
+  return !arguments.keep_edges.empty() &&
+         find_format(layer_file(arguments.keep_edges).file, Use::read_features);
 }
 
 bool has_lines(const ConstraintArguments& arguments) {
@@ -86,12 +89,14 @@ bool has_lines(const ConstraintArguments& arguments) {
 void add_constraints(CLI::App& command, ConstraintArguments& arguments) {
   command
       .add_option("--breaklines", arguments.breaklines,
-                  "Lines (GeoJSON) that no triangle crosses, in the coordinate system of INPUT;\n"
-                  "repeatable. Those without heights take them from the surface")
+                  "Lines (GeoJSON, GeoPackage, Shapefile, ...) that no triangle crosses, in the\n"
+                  "coordinate system of INPUT; repeatable. Those without heights take them from\n"
+                  "the surface. Of several layers one is named like roads.gpkg|layername=paved")
+      ->allow_extra_args(false)
       ->type_name("FILE");
   command
       .add_option("--outline", arguments.outline,
-                  "Polygons (GeoJSON) that bound the triangulation, with holes")
+                  "Polygons (of the same formats) that bound the triangulation, with holes")
       ->type_name("FILE");
   command
       .add_option("--max-edge", arguments.max_edge,
@@ -100,7 +105,7 @@ void add_constraints(CLI::App& command, ConstraintArguments& arguments) {
   command
       .add_option("--keep-edges", arguments.keep_edges,
                   "Edges that stay: a table of pairs of rows of INPUT, counted from 0 (as\n"
-                  "`hodt edges` writes it), or lines (GeoJSON)")
+                  "`hodt edges` writes it), or lines")
       ->type_name("FILE");
   command.add_flag("--split-crossings", arguments.split_crossings,
                    "Add a vertex where lines cross, which is an error otherwise");
@@ -124,17 +129,26 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
   for (const std::string& file : files) {
     if (input == "-" && file == "-")
       throw ParameterError("INPUT and a file of constraints cannot both be standard input");
-    check_targets(file, output, json);
+    check_targets(layer_file(file).file, output, json);
   }
 }
 
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
                         PointSet points, std::span<const Index> numbers) {
   std::vector<Lines> lines;
-  for (const std::string& file : arguments.breaklines) lines.push_back(read_lines(file));
-  if (keeps_lines(arguments)) lines.push_back(read_lines(arguments.keep_edges));
+  const auto add_lines = [&](const std::string& name) {
+    const auto [file, layer] = layer_file(name);
+    lines.push_back(read_lines(file, layer));
+    require_same_crs(input, points.crs, lines.back().source, lines.back().crs);
+  };
+  for (const std::string& file : arguments.breaklines) add_lines(file);
+  if (keeps_lines(arguments)) add_lines(arguments.keep_edges);
   std::optional<Outline> outline;
-  if (!arguments.outline.empty()) outline = read_outline(arguments.outline);
+  if (!arguments.outline.empty()) {
+    const auto [file, layer] = layer_file(arguments.outline);
+    outline = read_outline(file, layer);
+    require_same_crs(input, points.crs, outline->source, outline->crs);
+  }
   JoinOptions options{arguments.split_crossings,
                       parse_non_negative("--snap", "a distance", arguments.snap)};
   const std::size_t rows = points.size();

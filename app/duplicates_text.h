@@ -12,9 +12,9 @@
 
 namespace hodt::app {
 
-/// How many of the dropped points had another height, and how far from the one that stays; empty
-/// if none had.
-std::string higher_text(const std::optional<DuplicateHeights>& heights);
+/// How many of the points at one place had another height, and how far from the one that stays;
+/// empty if none had.
+std::string difference_text(const std::optional<DuplicateHeights>& heights);
 
 /// "3 duplicates dropped", and that.
 std::string dropped_text(std::size_t duplicates, const std::optional<DuplicateHeights>& heights);

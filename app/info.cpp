@@ -33,7 +33,6 @@ struct Findings {
   std::optional<DuplicateHeights> duplicate_heights;
   Range x, y;
   std::optional<Range> z;
-  TakenColumns columns;
   bool collinear = false;
   /// What stands in the way of a triangulation, or is worth knowing.
   std::vector<std::string> hints;
@@ -58,14 +57,14 @@ bool all_collinear(const std::vector<Point>& points) {
                      [&](const Point& p) { return orient(first, *other, p) == 0; });
 }
 
-Findings examine(const PointTable& table) {
-  const PointSet& points = table.points;
+Findings examine(const InputPoints& read) {
+  const PointSet& points = read.points;
   Findings findings;
-  findings.columns = table.columns;
   findings.points = points.size();
   const VertexSet distinct = spatial_order(points).vertices;
   findings.distinct = distinct.size();
-  if (points.has_heights()) findings.duplicate_heights = distinct.duplicate_heights;
+  if (points.has_heights())
+    findings.duplicate_heights = read.duplicates.value_or(distinct.duplicate_heights);
   findings.x = range_of(points.xy, [](const Point& p) { return p.x; });
   findings.y = range_of(points.xy, [](const Point& p) { return p.y; });
   if (points.has_heights()) findings.z = range_of(points.z, [](double z) { return z; });
@@ -76,12 +75,16 @@ Findings examine(const PointTable& table) {
     findings.hints.push_back("all points lie on a line: there is no triangle");
   }
   if (findings.distinct < findings.points) {
-    findings.hints.push_back("of points with equal x and y, the lowest stays");
-    if (const std::string higher = higher_text(findings.duplicate_heights); !higher.empty())
-      findings.hints.push_back("of points with equal x and y, " + higher);
+    const DuplicateRule rule = read.duplicates ? read.duplicates->rule : DuplicateRule::lowest;
+    findings.hints.push_back(fmt::format(
+        "of points with equal x and y, {} stays",
+        rule == DuplicateRule::mean ? "one of the mean height" : "the " + name_of(rule)));
+    if (const std::string text = difference_text(findings.duplicate_heights); !text.empty())
+      findings.hints.push_back("of points with equal x and y, " + text);
   }
   if (!findings.z) findings.hints.push_back("no heights: planar objectives and 'none' only");
-  findings.hints.insert(findings.hints.end(), table.warnings.begin(), table.warnings.end());
+  for (const auto& [file, text] : read.warnings)
+    findings.hints.push_back(read.files.size() == 1 ? text : fmt::format("{}: {}", file, text));
   return findings;
 }
 
@@ -89,28 +92,30 @@ Json to_json(const Range& range) {
   return {range.low, range.high};
 }
 
-Json findings_json(const Findings& findings) {
+Json findings_json(const Findings& findings, const InputPoints& read) {
   return {{"points", findings.points},
           {"distinct", findings.distinct},
           {"duplicates", findings.points - findings.distinct},
           {"duplicate_heights", heights_json(findings.duplicate_heights)},
           {"x", to_json(findings.x)},
           {"y", to_json(findings.y)},
-          {"columns", app::to_json(findings.columns)},
+          {"files", read.files.size()},
+          {"columns", columns_json(read)},
+          {"crs", crs_json(read.crs)},
           {"heights", findings.z.has_value()},
           {"z", findings.z ? to_json(*findings.z) : Json(nullptr)},
           {"collinear", findings.collinear},
           {"hints", findings.hints}};
 }
 
-std::string summary(const Findings& findings) {
+std::string summary(const Findings& findings, const InputPoints& read) {
   const auto line = [](std::string_view name, const Range& range) {
     return fmt::format("{:<7} {} to {}\n", name, range.low, range.high);
   };
   std::string text =
       fmt::format("{:<7} {} ({} distinct, {})\n", "points", findings.points, findings.distinct,
                   counted(findings.points - findings.distinct, "duplicate"));
-  text += fmt::format("{:<7} {}\n", "columns", text_of(findings.columns));
+  text += inputs_text(read, 7);
   text += line("x", findings.x) + line("y", findings.y);
   text += findings.z ? line("z", *findings.z) : "z       none\n";
   for (const std::string& hint : findings.hints) text += fmt::format("{:<7} {}\n", "hint", hint);
@@ -119,20 +124,21 @@ std::string summary(const Findings& findings) {
 
 int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_targets(arguments.input.file, {}, arguments.json);
+  check_choices(arguments.input);
+  check_targets(arguments.input, {}, arguments.json);
   Findings findings;
+  InputPoints read;
   {
     TerminalProgress progress;
     progress.report("reading");
     // What may be wrong is among the hints, not on standard error.
-    const PointTable table = read_point_table(
-        arguments.input.file, {parse_column_choice("--columns", arguments.input.columns)});
+    read = read_input_points(arguments.input);
     progress.report("counting");
-    findings = examine(table);
+    findings = examine(read);
   }
   Outputs outputs;
-  outputs.write_json(findings_json(findings), arguments.json);
-  outputs.commit(summary(findings));
+  outputs.write_json(findings_json(findings, read), arguments.json);
+  outputs.commit(summary(findings, read));
   return kOk;
 }
 
@@ -148,6 +154,7 @@ void add_info(CLI::App& app, Action& action) {
   command.footer(
       "Examples:\n"
       "  hodt info terrain.csv\n"
+      "  hodt info dem.tif\n"
       "  hodt info survey.csv --columns x=Ost,y=Nord,z=4\n"
       "  hodt info terrain.xyz.gz --json -");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

@@ -1,5 +1,6 @@
 #include "app/keep.h"
 
+#include "app/layer_file.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -9,9 +10,10 @@ namespace hodt::app {
 
 void add_keep(CLI::App& command, KeepArguments& arguments) {
   command
-      .add_option("--keep", arguments.places,
-                  "Real pits: points or polygons (GeoJSON) whose minima stay, in the\n"
-                  "coordinate system of INPUT; what is in a polygon's hole is not in it")
+      .add_option(
+          "--keep", arguments.places,
+          "Real pits: points or polygons (GeoJSON, GeoPackage, Shapefile, ...) whose minima\n"
+          "stay, in the coordinate system of INPUT; what is in a polygon's hole is not in it")
       ->type_name("FILE");
   command
       .add_option("--min-pit-depth", arguments.min_pit_depth,
@@ -19,13 +21,14 @@ void add_keep(CLI::App& command, KeepArguments& arguments) {
       ->type_name("D");
 }
 
-void read_keep(const KeepArguments& arguments, const std::string& input,
+void read_keep(const KeepArguments& arguments, const PointsInput& input,
                TriangulateOptions& options) {
   options.min_pit_depth = parse_non_negative("--min-pit-depth", "a depth", arguments.min_pit_depth);
   if (arguments.places.empty()) return;
-  if (input == "-" && arguments.places == "-")
+  if (input.is_standard_input() && arguments.places == "-")
     throw ParameterError("INPUT and --keep cannot both be standard input");
-  options.keep = read_places(arguments.places);
+  const auto [file, layer] = layer_file(arguments.places);
+  options.keep = read_places(file, layer);
 }
 
 std::string kept_text(std::size_t kept, std::size_t empty_polygons) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/common.h"
+#include "app/points_input.h"
 
 #include "hodt/pipeline.h"
 
@@ -20,7 +21,7 @@ void add_keep(CLI::App& command, KeepArguments& arguments);
 
 /// Sets what the options say, and reads the file. Throws ParameterError also if `input` is to be
 /// standard input as well.
-void read_keep(const KeepArguments& arguments, const std::string& input,
+void read_keep(const KeepArguments& arguments, const PointsInput& input,
                TriangulateOptions& options);
 
 /// "3 local minima", and how many polygons no point is in, if any.

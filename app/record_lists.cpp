@@ -47,21 +47,20 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
                const ProduceLines& produce) {
   const Order k = parse_order(arguments.order);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
-  check_targets(arguments.input.file, arguments.output, {});
-  check_constraints(arguments.constraints, arguments.input.file, arguments.output, {});
+  check_choices(arguments.input);
+  check_targets(arguments.input, arguments.output, {});
+  const std::string input = arguments.input.name();
+  check_constraints(arguments.constraints, input, arguments.output, {});
   std::string summary;
   Outputs outputs;
   {
     TerminalProgress progress;
     progress.report("reading");
-    PointTable table = read_input_points(arguments.input);
-    const Joined joined =
-        read_constraints(arguments.constraints, arguments.input.file, std::move(table.points));
+    InputPoints read = read_input_points(arguments.input);
+    const Joined joined = read_constraints(arguments.constraints, input, std::move(read.points));
     const PointSet& points = joined.points;
     progress.report("Delaunay triangulation");
-    const auto [triangulation, duplicates, constraints] =
-        delaunay_of_joined(arguments.input.file, joined);
+    const auto [triangulation, duplicates, constraints] = delaunay_of_joined(input, joined);
     const std::size_t distinct = triangulation.vertices.size();
     DelaunayGraph graph(triangulation);
     graph.list_neighbours();
@@ -76,9 +75,9 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
     if (arguments.constraints.any()) summary += constraints_text(joined.report, constraints, 11);
     summary += fmt::format("{:<9} {}, {} of order {} or less\n", things, lines.count(),
                            arguments.list_class, k.digits);
-    summary += fmt::format("{:<9} {}\n", "columns", text_of(table.columns));
+    summary += inputs_text(read, 9);
     summary += fmt::format("{:<9} {}\n", "written", shown(arguments.output));
-    print_warnings(arguments.input.file, table);
+    print_warnings(read);
   }
   outputs.commit(summary);
   return kOk;

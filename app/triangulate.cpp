@@ -1,5 +1,6 @@
 // hodt triangulate: points in, a mesh out.
 // Tested by tests/app/command_test.cpp.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,10 +8,13 @@
 #include "app/constraints_input.h"
 #include "app/duplicates_text.h"
 #include "app/keep.h"
+#include "app/layer_file.h"
 #include "app/mean_angle.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
+#include "app/raster_output.h"
 #include "app/warning.h"
+#include "app/what_changed.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -32,7 +36,9 @@ struct Arguments {
   std::string method = "auto";
   std::string time_limit;
   KeepArguments keep;
+  ChangesArguments changes;
   ConstraintArguments constraints;
+  RasterArguments raster;
   std::string threads;
   std::string json;
 };
@@ -40,24 +46,27 @@ struct Arguments {
 /// What INPUT holds: points, or a mesh to improve.
 struct Source {
   bool is_tin = false;
-  PointTable table;         ///< of a mesh, its points alone
+  InputPoints input;        ///< of a mesh, its points alone
   Constraints constraints;  ///< of a mesh, by which its outline and its holes stay
   std::size_t unused_vertices = 0;
   std::vector<Index> numbers;  ///< of the mesh's vertices among the points
 };
 
 Source read_source(const PointsInput& input) {
-  if (!find_format(input.file, Use::read_tin)) return {false, read_input_points(input), {}, 0, {}};
-  if (!input.columns.empty())
-    throw ParameterError("--columns is for tables of points, and " + display_name(input.file) +
-                         " is a mesh");
-  Tin tin = read_tin(input.file);
-  GivenTin given = naming(input.file, [&] { return given_tin(std::move(tin)); });
-  return {true,
-          {std::move(given.points), {}, {}},
-          std::move(given.constraints),
-          given.unused_vertices,
-          std::move(given.number)};
+  const auto is_mesh = [](const std::string& file) {
+    return find_format(file, Use::read_tin) != nullptr;
+  };
+  const auto mesh = std::find_if(input.files.begin(), input.files.end(), is_mesh);
+  if (mesh == input.files.end()) return {false, read_input_points(input), {}, 0, {}};
+  if (input.files.size() > 1)
+    throw ParameterError(display_name(*mesh) + " is a mesh, which cannot be one of several files");
+  if (input.chooses_points())
+    throw ParameterError("--columns and other options that choose points are for points, and " +
+                         display_name(*mesh) + " is a mesh");
+  Tin tin = read_tin(*mesh);
+  GivenTin given = naming(*mesh, [&] { return given_tin(std::move(tin)); });
+  return {true, input_points(input, std::move(given.points)), std::move(given.constraints),
+          given.unused_vertices, std::move(given.number)};
 }
 
 /// The same count of both triangulations, as JSON.
@@ -97,7 +106,9 @@ Json given_json(const Report& report, const Source& source) {
 Json report_json(const Report& report, const Order& k, const Source& source,
                  const Json& constraints) {
   return {{"points", report.points},
-          {"columns", source.is_tin ? Json(nullptr) : to_json(source.table.columns)},
+          {"files", std::max<std::size_t>(1, source.input.files.size())},
+          {"columns", columns_json(source.input)},
+          {"crs", crs_json(source.input.crs)},
           {"input", given_json(report, source)},
           {"duplicates", report.duplicates},
           {"duplicate_heights", heights_json(report.duplicate_heights)},
@@ -135,7 +146,7 @@ std::string summary(const Report& report, const Source& source, const std::strin
                     const Arguments& arguments) {
   std::string text = fmt::format("{:<13} {}, {}\n", "points", report.points,
                                  dropped_text(report.duplicates, report.duplicate_heights));
-  if (!source.is_tin) text += fmt::format("{:<13} {}\n", "columns", text_of(source.table.columns));
+  text += inputs_text(source.input, 13);
   text += constraints;
   if (report.given)
     text += fmt::format("{:<13} a mesh of order {}{}{}\n", "input", report.given->order,
@@ -174,20 +185,42 @@ TriangulateOptions options_of(const Arguments& arguments) {
   options.method = method_from_name(arguments.method);
   check_method(options.method, options.objective);
   options.time_limit = parse_seconds(arguments.time_limit);
-  read_keep(arguments.keep, arguments.input.file, options);
+  read_keep(arguments.keep, arguments.input, options);
   return options;
+}
+
+/// All files that are read.
+std::vector<std::string> inputs_of(const Arguments& arguments) {
+  std::vector<std::string> files = arguments.input.files;
+  for (const std::string& file : arguments.constraints.breaklines)
+    files.push_back(layer_file(file).file);
+  for (const std::string& file :
+       {arguments.keep.places, arguments.constraints.outline, arguments.constraints.keep_edges})
+    files.push_back(layer_file(file).file);
+  return files;
 }
 
 int run(const Arguments& arguments) {
   // All that can be refused is refused before the work begins.
   TriangulateOptions options = options_of(arguments);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
-  check_output_extension(arguments.output);
-  options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
-  check_targets(arguments.input.file, arguments.output, arguments.json);
-  check_targets(arguments.keep.places, arguments.output, arguments.json);
-  check_constraints(arguments.constraints, arguments.input.file, arguments.output, arguments.json);
+  check_choices(arguments.input);
+  const bool is_raster = is_raster_name(arguments.output);
+  if (!is_raster) {
+    check_output_extension(arguments.output);
+    options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
+  }
+  if (is_raster || arguments.raster.any())
+    check_raster(
+        arguments.raster, is_raster ? arguments.output : "", inputs_of(arguments),
+        {{arguments.output, arguments.json, arguments.changes.pits, arguments.changes.changed}});
+  check_targets(arguments.input, arguments.output, arguments.json);
+  check_targets(layer_file(arguments.keep.places).file, arguments.output, arguments.json);
+  const std::string input = arguments.input.name();
+  check_constraints(arguments.constraints, input, arguments.output, arguments.json);
+
+  check_changes(arguments.changes, inputs_of(arguments), {{arguments.output, arguments.json}});
+  options.tell_changes = arguments.changes.any();
 
   Stopwatch watch;
   TriangulateResult result;
@@ -199,12 +232,14 @@ int run(const Arguments& arguments) {
     TerminalProgress progress;
     progress.report("reading");
     source = read_source(arguments.input);
-    Joined joined = read_constraints(arguments.constraints, arguments.input.file,
-                                     std::move(source.table.points), source.numbers);
-    if (source.is_tin) add_given(source.constraints, arguments.input.file, joined);
+    require_same_crs(input, source.input.crs, options.keep.source, options.keep.crs);
+    Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
+                                     source.numbers);
+    if (source.is_tin) add_given(source.constraints, input, joined);
     const double read = watch.lap();
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    result = triangulate_joined(arguments.input.file, joined, options);
+    result = triangulate_joined(input, joined, options);
+    if (source.input.duplicates) result.report.duplicate_heights = source.input.duplicates;
     if (arguments.constraints.any()) {
       constraints_lines = constraints_text(joined.report, result.report.constraints);
       constraints = constraints_json(joined.report, result.report.constraints);
@@ -212,12 +247,14 @@ int run(const Arguments& arguments) {
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
-    OutputFile& mesh = outputs.open(arguments.output);
-    write_tin(result.tin, mesh);
-    mesh.finish();
+    if (is_raster || arguments.raster.any())
+      write_rasters(result.tin, grid_of(arguments.raster, result.tin, input), arguments.raster,
+                    is_raster ? arguments.output : "", outputs);
+    if (!is_raster) write_tin(result.tin, outputs.open(arguments.output));
+    write_changes(arguments.changes, result, outputs);
     result.report.seconds.write = watch.lap();
-    warn_of_rounding(arguments.output, result.tin);
-    print_warnings(arguments.input.file, source.table);
+    if (!is_raster) warn_of_rounding(arguments.output, result.tin);
+    print_warnings(source.input);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
                      arguments.json);
@@ -233,8 +270,10 @@ void add_triangulate(CLI::App& app, Action& action) {
       *app.add_subcommand("triangulate", "Triangulate points, with low order and few pits");
   add_points_input(command, arguments->input);
   command
-      .add_option("-o,--output", arguments->output,
-                  "Mesh to write: .ply, .obj, .vtu, .nc or others ('hodt formats' lists all)")
+      .add_option(
+          "-o,--output", arguments->output,
+          "Mesh to write: .ply, .obj, .vtu, .gpkg or others ('hodt formats' lists all), or\n"
+          "a raster: .tif")
       ->required()
       ->type_name("OUTPUT");
   command
@@ -254,7 +293,9 @@ void add_triangulate(CLI::App& app, Action& action) {
                   "Seconds that the search may take (default: 0, no limit)")
       ->type_name("S");
   add_keep(command, arguments->keep);
+  add_changes(command, arguments->changes);
   add_constraints(command, arguments->constraints);
+  add_raster_options(command, arguments->raster);
   add_threads(command, arguments->threads);
   command.add_option("--json", arguments->json, "Write a report as JSON; - is standard output")
       ->type_name("FILE");
@@ -265,9 +306,12 @@ void add_triangulate(CLI::App& app, Action& action) {
       "Examples:\n"
       "  hodt triangulate terrain.csv -o terrain.ply\n"
       "  hodt triangulate survey.txt --columns x=3,y=2,z=4 -o survey.ply\n"
+      "  hodt triangulate tile1.tif tile2.tif --stride 2 -o tiles.ply\n"
+      "  hodt triangulate survey.gpkg --layer spots --z-field height -o survey.ply\n"
       "  hodt triangulate mesh.ply -o better.ply --objective min-max-angle\n"
       "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o "
       "site.ply\n"
+      "  hodt triangulate tile.laz -o dem.tif --resolution 1 --hillshade shade.tif\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
       "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

@@ -65,23 +65,24 @@ int run(const Arguments& arguments) {
   std::optional<Box> box;
   if (!arguments.box.empty()) box = parse_box(arguments.box);
   const ThreadLimit limit(parse_threads(arguments.threads));
-  check_columns(arguments.input.columns);
-  check_targets(arguments.input.file, arguments.output, {});
+  check_choices(arguments.input);
+  check_targets(arguments.input, arguments.output, {});
+  const std::string input = arguments.input.name();
 
   std::string summary;
   Outputs outputs;
   {
     TerminalProgress progress;
     progress.report("reading");
-    const PointTable table = read_input_points(arguments.input);
-    const PointSet& points = table.points;
+    const InputPoints read = read_input_points(arguments.input);
+    const PointSet& points = read.points;
     progress.report("Voronoi diagram");
-    const Delaunay triangulation = naming(arguments.input.file, [&] { return delaunay(points); });
+    const Delaunay triangulation = naming(input, [&] { return delaunay(points); });
     const std::size_t distinct = triangulation.vertices.size();
     if (order.limit >= distinct)
       throw ParameterError(
           fmt::format("{}: -m must be less than the number of distinct points, {}, not '{}'",
-                      display_name(arguments.input.file), distinct, arguments.order));
+                      display_name(input), distinct, arguments.order));
     const VoronoiDiagram diagram = voronoi_diagram(DelaunayGraph(triangulation), order.limit);
     constexpr double margin = 0.1;
     if (!box) box = enlarged_bounding_box(triangulation.vertices.xy, margin);
@@ -90,11 +91,11 @@ int run(const Arguments& arguments) {
         write_cells(diagram, triangulation.vertices, *box, outputs.open(arguments.output));
     summary = fmt::format("{:<8} {}, {} dropped\n", "points", points.size(),
                           counted(points.size() - distinct, "duplicate"));
-    summary += fmt::format("{:<8} {}\n", "columns", text_of(table.columns));
+    summary += inputs_text(read, 8);
     summary += fmt::format("{:<8} {} of order {}, {} with an area in the box\n", "cells",
                            diagram.cell_count(), order.digits, written);
     summary += fmt::format("{:<8} {}\n", "written", shown(arguments.output));
-    print_warnings(arguments.input.file, table);
+    print_warnings(read);
   }
   outputs.commit(summary);
   return kOk;

@@ -6,7 +6,7 @@
 #   scripts/dependencies.sh GOAL FOLDER  as anybody: unpacks the libraries into the folder, where they
 #                                        serve whoever sources FOLDER/use
 #
-# GOAL: build (the default), test, bench, clang or fuzz.
+# GOAL: build (the default), test, python, bench, clang or fuzz.
 set -euo pipefail
 export LC_ALL=C
 
@@ -16,7 +16,11 @@ tools="g++ cmake ninja-build make pkg-config"
 packages="libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev libsqlite3-dev coinor-libclp-dev"
 case $goal in
   build) ;;
-  test) packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev libgdal-dev gdal-bin" ;;
+  test)
+    packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev libgdal-dev gdal-bin"
+    packages="$packages python3-venv python3-dev"
+    ;;
+  python) packages="$packages python3-venv python3-dev" ;;
   bench) packages="$packages libbenchmark-dev libcgal-dev" ;;
   clang) tools="$tools clang" ;;
   fuzz)
@@ -24,7 +28,7 @@ case $goal in
     packages="$packages libgmp-dev"
     ;;
   *)
-    echo "usage: $0 [build|test|bench|clang|fuzz] [FOLDER]" >&2
+    echo "usage: $0 [build|test|python|bench|clang|fuzz] [FOLDER]" >&2
     exit 2
     ;;
 esac

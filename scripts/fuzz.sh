@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 seconds=${FUZZ_SECONDS:-3600}
-[ $# -gt 0 ] || set -- points ply obj places lines gzip command objectives
+[ $# -gt 0 ] || set -- points ply obj places lines gzip las command objectives
 
 for target in "$@"; do
   found=build/fuzz/found/$target

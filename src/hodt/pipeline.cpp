@@ -28,6 +28,10 @@ bool asks_to_keep(const TriangulateOptions& options) {
   return options.min_pit_depth > 0 || !options.keep.empty();
 }
 
+bool tells_orders(const TriangulateOptions& options) {
+  return options.tell_orders || options.tell_changes;
+}
+
 /// Before any work is done.
 void check(const PointSet& points, const TriangulateOptions& options) {
   check_heights(options.objective, points.has_heights());
@@ -57,6 +61,7 @@ class OutputNumbering {
   }
   /// Of the rows that have a number.
   std::size_t count() const { return count_; }
+  std::span<const Index> of_vertices() const { return of_vertex_; }
   bool is_kept(std::size_t row) const { return of_row_[row] != kNone; }
   Index operator[](VertexId v) const { return of_vertex_[v]; }
 
@@ -80,6 +85,7 @@ std::vector<std::array<Index, 3>> triangle_list(const TriangleMesh& mesh,
 PointSet kept_points(const PointSet& points, const OutputNumbering& numbering) {
   if (numbering.count() == points.size()) return points;
   PointSet kept;
+  kept.crs = points.crs;
   for (std::size_t row = 0; row < points.size(); ++row) {
     if (!numbering.is_kept(row)) continue;
     kept.xy.push_back(points.xy[row]);
@@ -140,9 +146,9 @@ void compare_with_given(const DelaunayGraph& graph, std::span<const double> z,
 std::vector<Index> count_orders(const DelaunayGraph& graph, const MeshChange& change,
                                 const TriangulateOptions& options, Report& report) {
   std::vector<Index> orders;
-  if (options.tell_orders) orders = triangle_orders(graph, change);
+  if (tells_orders(options)) orders = triangle_orders(graph, change);
   report.order_histogram =
-      options.tell_orders ? order_histogram(orders) : order_histogram(graph, change);
+      tells_orders(options) ? order_histogram(orders) : order_histogram(graph, change);
   report.order = static_cast<Index>(report.order_histogram.size() - 1);
   if (report.order > options.order)
     throw_defect(fmt::format("a triangle is of order {} where {} was asked for", report.order,
@@ -228,13 +234,15 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   }
 
   Stopwatch watch;
+  TriangleMesh before;
+  if (options.tell_changes) before = delaunay.mesh;
   if (options.objective != Objective::none) {
     result.tin.order =
         optimize_and_verify(delaunay, prepared.keep, prepared.given, options, report);
     report.seconds.optimize += watch.lap();
     if (points.has_heights())
       report.extrema_result = extrema_of(delaunay.mesh, vertices, points, report);
-  } else if (options.tell_orders) {
+  } else if (tells_orders(options)) {
     result.tin.order.assign(delaunay.mesh.triangle_count(), 0);
   }
   if (options.measure_pits && points.has_heights())
@@ -245,6 +253,10 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   result.tin.triangles = triangle_list(delaunay.mesh, numbering);
   report.seconds.delaunay += watch.lap();
   result.tin.points = kept_points(points, numbering);
+  result.tin.crs = points.crs;
+  if (options.tell_changes)
+    result.changes = what_changed(before, delaunay.mesh, vertices, prepared.keep, result.tin.order,
+                                  numbering.of_vertices());
   return result;
 }
 

@@ -16,6 +16,7 @@
 #include "hodt/hydrology/minima_to_keep.h"
 #include "hodt/hydrology/pit_water.h"
 #include "hodt/optimize/optimize.h"
+#include "hodt/pipeline/what_changed.h"
 #include "hodt/tin/extrema.h"
 #include "hodt/tin/tin.h"
 
@@ -39,6 +40,8 @@ struct TriangulateOptions {
   bool measure_pits = false;
   /// Whether the TIN tells the order of each triangle.
   bool tell_orders = false;
+  /// Whether the result says what happened to the Delaunay triangulation. Tells the orders, too.
+  bool tell_changes = false;
   /// Told what the job is doing; may be empty.
   Progress progress = {};
 };
@@ -92,6 +95,8 @@ struct TriangulateResult {
   /// the points. Points that constraints leave no triangle are left out, too.
   Tin tin;
   Report report;
+  /// Nothing unless options.tell_changes.
+  WhatChanged changes = {};
 };
 
 /// Triangulates the points, every triangle of order at most options.order, as good for the

@@ -253,7 +253,7 @@ TEST(DelaunayDuplicates, the_lowest_stays) {
 }
 
 TEST(DelaunayDuplicates, without_heights_the_first_stays) {
-  const Delaunay d = delaunay({{{0, 0}, {1, 0}, {0, 0}, {0, 1}, {1, 0}}, {}});
+  const Delaunay d = delaunay(PointSet{{{0, 0}, {1, 0}, {0, 0}, {0, 1}, {1, 0}}, {}});
   std::vector<Index> rows(d.vertices.row.begin(), d.vertices.row.end());
   std::sort(rows.begin(), rows.end());
   EXPECT_EQ(rows, (std::vector<Index>{0, 1, 3}));
@@ -261,7 +261,7 @@ TEST(DelaunayDuplicates, without_heights_the_first_stays) {
 }
 
 TEST(DelaunayDuplicates, minus_zero_is_zero) {
-  const Delaunay d = delaunay({{{0.0, 0.0}, {-0.0, 0.0}, {1, 0}, {0, 1}, {0.0, -0.0}}, {}});
+  const Delaunay d = delaunay(PointSet{{{0.0, 0.0}, {-0.0, 0.0}, {1, 0}, {0, 1}, {0.0, -0.0}}, {}});
   EXPECT_EQ(d.vertices.size(), 3u);
 }
 
@@ -344,17 +344,17 @@ TEST(DelaunayErrors, what_is_not_finite_is_named) {
 TEST(DelaunayErrors, any_finite_coordinates_will_do) {
   constexpr double kMax = std::numeric_limits<double>::max();
   constexpr double kMin = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(problem(delaunay({{{-kMax, -kMax},
-                               {kMax, -kMax},
-                               {kMax, kMax},
-                               {-kMax, kMax},
-                               {0, 0},
-                               {kMin, 0},
-                               {0, -kMin},
-                               {1, 2}},
-                              {}})),
+  EXPECT_EQ(problem(delaunay(PointSet{{{-kMax, -kMax},
+                                       {kMax, -kMax},
+                                       {kMax, kMax},
+                                       {-kMax, kMax},
+                                       {0, 0},
+                                       {kMin, 0},
+                                       {0, -kMin},
+                                       {1, 2}},
+                                      {}})),
             "");
-  EXPECT_EQ(problem(delaunay({{{0, 0}, {kMin, 0}, {0, kMin}}, {}})), "");
+  EXPECT_EQ(problem(delaunay(PointSet{{{0, 0}, {kMin, 0}, {0, kMin}}, {}})), "");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST(SpatialOrder, cells_are_monotone_in_both_coordinates) {
 }
 
 TEST(SpatialOrder, the_larger_extent_uses_all_cells) {
-  const SpatialOrder order = spatial_order({{{-5, 1}, {15, 2}, {3, 1.5}}, {}});
+  const SpatialOrder order = spatial_order(PointSet{{{-5, 1}, {15, 2}, {3, 1.5}}, {}});
   EXPECT_EQ(cell(order.key[0], 0), 0u);
   std::uint32_t largest_x = 0, largest_y = 0;
   for (const std::uint64_t key : order.key) {

@@ -360,7 +360,7 @@ std::string why_not_told(const Known& known, const hodt::Tin& tin) {
     return Triangle{known.used[std::size_t(t[0])], known.used[std::size_t(t[1])],
                     known.used[std::size_t(t[2])]};
   };
-  return why_not_told(
+  return exhaustive::why_not_told(
       tin, true, [&](const Triangle& t) { return known.constrained.triangle_order(corners(t)); },
       [&](const Triangle& t) {
         const Triangles one = known.given.instance().canonical({corners(t)});

@@ -217,5 +217,60 @@ TEST(PitWater, totals_are_those_of_the_pits_inside) {
   }
 }
 
+/// By definition: the water over all triangles, with everything dry but what the level connects to
+/// the bottom.
+double expected_volume(const Terrain& terrain, const Pit& pit) {
+  std::vector<bool> is_wet(terrain.xy.size(), false);
+  is_wet[pit.bottom] = pit.depth > 0;
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const auto& t : terrain.triangles)
+      for (const Index u : t)
+        for (const Index v : t)
+          if (is_wet[u] && !is_wet[v] && terrain.z[v] < pit.level) is_wet[v] = grows = true;
+  }
+  double volume = 0;
+  for (const auto& t : terrain.triangles) {
+    if (!is_wet[t[0]] && !is_wet[t[1]] && !is_wet[t[2]]) continue;
+    // The midpoint rule on small pieces.
+    constexpr int pieces = 60;
+    const auto at = [&](auto of, double a, double b) {
+      return of(t[0]) * (1 - a - b) + of(t[1]) * a + of(t[2]) * b;
+    };
+    const auto x = [&](Index v) { return terrain.xy[v].x; };
+    const auto y = [&](Index v) { return terrain.xy[v].y; };
+    const auto z = [&](Index v) { return terrain.z[v]; };
+    const double area =
+        ((x(t[1]) - x(t[0])) * (y(t[2]) - y(t[0])) - (x(t[2]) - x(t[0])) * (y(t[1]) - y(t[0]))) / 2;
+    double depths = 0;
+    for (int i = 0; i < pieces; ++i)
+      for (int j = 0; i + j < pieces; ++j)
+        for (const double part : {1.0 / 3, 2.0 / 3}) {
+          if (part > 0.5 && i + j + 1 == pieces) continue;
+          depths += std::max(0.0, pit.level - at(z, (i + part) / pieces, (j + part) / pieces));
+        }
+    volume += std::fabs(area) * depths / (pieces * pieces);
+  }
+  return volume;
+}
+
+TEST(PitVolumes, AreThoseOfTheLakesByDefinition) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const Terrain terrain = rough_terrain(seed);
+    const TriangleMesh mesh = terrain.mesh();
+    const std::vector<Pit> pits = pit_depths(mesh, terrain.xy, terrain.z);
+    const std::vector<double> volumes = pit_volumes(mesh, terrain.xy, terrain.z, pits);
+    ASSERT_EQ(volumes.size(), pits.size());
+    for (std::size_t i = 0; i < pits.size(); ++i) {
+      EXPECT_DOUBLE_EQ(pits[i].level - terrain.z[pits[i].bottom], pits[i].depth);
+      const double expected = expected_volume(terrain, pits[i]);
+      EXPECT_NEAR(volumes[i], expected, 2e-3 * expected + 1e-12) << seed << ' ' << i;
+      if (pits[i].depth == 0) {
+        EXPECT_EQ(volumes[i], 0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hodt

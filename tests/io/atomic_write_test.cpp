@@ -3,6 +3,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -14,6 +15,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace hodt {
 namespace {
@@ -72,71 +75,32 @@ TEST(AtomicWrite, RefusesLinksWithoutAnEnd) {
   EXPECT_EQ(directory.entries(), 2u);
 }
 
-void put(const std::filesystem::path& path, std::string_view content) {
-  std::ofstream(path, std::ios::binary) << content;
-}
-
-TEST(AtomicWrite, LibrariesFillFilesByTheirPaths) {
+TEST(AtomicWrite, CompanionsAppearWithTheFile) {
   const TemporaryDirectory directory;
   const auto old = directory.file("old.shp", "before");
-  ::chmod(old.c_str(), 0600);
-  directory.file("old.dbf", "before");
-  directory.file("old.qix", "before");
-  directory.file("other.qix", "before");
-  const auto fill = [&](const std::filesystem::path& path) {
+  for (const char* name : {"old.dbf", "old.qix", "other.qix"}) directory.file(name, "before");
+  const auto make = [&](const std::filesystem::path& path) {
     EXPECT_EQ(path.filename(), "old.shp");
-    put(path, "after");
-    put(std::filesystem::path(path).replace_extension(".shx"), "new");
-    put(std::filesystem::path(path).replace_extension(".dbf"), "after");
+    for (const char* extension : {".shp", ".shx", ".dbf", ".tmp"})
+      std::ofstream(std::filesystem::path(path).replace_extension(extension)) << extension;
   };
+  const std::string companions = ".dbf .shx .qix";
   {
     OutputFile file(old);
-    file.fill(fill, ".dbf .shx .qix");
+    file.fill_by_name(make, companions);
     file.finish();
     EXPECT_EQ(content_of(old), "before");
     EXPECT_EQ(content_of(directory / "old.dbf"), "before");
+    EXPECT_EQ(content_of(directory / "old.qix"), "before");
     EXPECT_FALSE(std::filesystem::exists(directory / "old.shx"));
   }
   EXPECT_EQ(directory.entries(), 4u) << "not committed";
-  atomic_write(old, [&](OutputFile& file) { file.fill(fill, ".dbf .shx .qix"); });
-  EXPECT_EQ(content_of(old), "after");
-  EXPECT_EQ(mode_of(old), mode_t{0600});
-  EXPECT_EQ(content_of(directory / "old.dbf"), "after");
-  EXPECT_EQ(content_of(directory / "old.shx"), "new");
+  atomic_write(old, [&](OutputFile& file) { file.fill_by_name(make, companions); });
+  for (const char* extension : {".shp", ".dbf", ".shx"})
+    EXPECT_EQ(content_of(directory / ("old" + std::string(extension))), extension);
   EXPECT_FALSE(std::filesystem::exists(directory / "old.qix")) << "of the old file";
   EXPECT_EQ(content_of(directory / "other.qix"), "before");
   EXPECT_EQ(directory.entries(), 4u);
-}
-
-TEST(AtomicWrite, LibrariesThatFailLeaveNothing) {
-  const TemporaryDirectory directory;
-  const auto old = directory.file("old.gpkg", "before");
-  const auto write = [&](const std::filesystem::path& path) {
-    atomic_write(path, [](OutputFile& file) {
-      file.fill([](const std::filesystem::path& made) {
-        put(made, "half");
-        throw FileError("the disk is full");
-      });
-    });
-  };
-  EXPECT_EQ(message_of<FileError>([&] { write(old); }), "the disk is full");
-  EXPECT_EQ(message_of<FileError>([&] { write(directory / "new.gpkg"); }), "the disk is full");
-  EXPECT_EQ(content_of(old), "before");
-  EXPECT_EQ(directory.entries(), 1u);
-}
-
-TEST(AtomicWrite, LibrariesFillPipes) {
-  const TemporaryDirectory directory;
-  ASSERT_EQ(::mkfifo((directory / "pipe").c_str(), 0600), 0);
-  std::string read;
-  std::thread reader([&] { read = content_of(directory / "pipe"); });
-  const std::string content(3'000'000, 'a');
-  atomic_write(directory / "pipe", [&](OutputFile& file) {
-    file.fill([&](const std::filesystem::path& path) { put(path, content); });
-  });
-  reader.join();
-  EXPECT_TRUE(read == content) << read.size();
-  EXPECT_EQ(directory.entries(), 1u);
 }
 
 TEST(AtomicWrite, CommitsAllOrNone) {
@@ -214,6 +178,89 @@ TEST(AtomicWrite, LeavesTheOldFileIfTheDiskIsFull) {
   EXPECT_NE(message.find(path.string()), std::string::npos) << message;
   EXPECT_EQ(content_of(path), "before");
   EXPECT_EQ(directory.entries(), 1u);
+}
+
+// ---- Files that a library makes by itself ----
+
+using Make = std::function<void(const std::filesystem::path&)>;
+
+void write_by_name(const std::filesystem::path& path, const Make& make) {
+  atomic_write(path, [&](OutputFile& file) { file.fill_by_name(make); });
+}
+
+/// As a library would: with the plain means of the language, and something beside it.
+void make_large(const std::filesystem::path& path) {
+  EXPECT_FALSE(std::filesystem::exists(path));
+  std::ofstream(path.parent_path() / "journal") << "beside";
+  std::ofstream stream(path);
+  stream << std::string(3000000, 'x') << "end" << std::flush;
+  if (!stream) throw FileError("the library has failed");
+}
+
+TEST(FillByName, MakesAnOrdinaryFile) {
+  const TemporaryDirectory directory;
+  std::filesystem::path name;
+  const mode_t old = ::umask(027);
+  write_by_name(directory / "new .gpkg",
+                [&](const std::filesystem::path& path) { make_large(name = path); });
+  ::umask(old);
+  EXPECT_EQ(name.filename(), "new .gpkg");
+  EXPECT_EQ(content_of(directory / "new .gpkg"), std::string(3000000, 'x') + "end");
+  EXPECT_EQ(mode_of(directory / "new .gpkg"), mode_t{0640});
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(FillByName, ReplacesAndKeepsPermissions) {
+  const TemporaryDirectory directory;
+  const auto path = directory.file("old", "before");
+  ::chmod(path.c_str(), 0600);
+  std::filesystem::create_symlink("old", directory / "link");
+  write_by_name(directory / "link", make_large);
+  EXPECT_EQ(content_of(path).size(), 3000003u);
+  EXPECT_EQ(mode_of(path), mode_t{0600});
+  EXPECT_TRUE(std::filesystem::is_symlink(directory / "link"));
+  EXPECT_EQ(directory.entries(), 2u);
+}
+
+TEST(FillByName, StreamsToDevicesAndPipes) {
+  const std::string message = message_of<FileError>([] { write_by_name("/dev/full", make_large); });
+  EXPECT_NE(message.find("No space"), std::string::npos) << message;
+  write_by_name("/dev/null", make_large);
+  const TemporaryDirectory directory;
+  ASSERT_EQ(::mkfifo((directory / "pipe").c_str(), 0600), 0);
+  std::string read;
+  std::thread reader([&] { read = content_of(directory / "pipe"); });
+  write_by_name(directory / "pipe", make_large);
+  reader.join();
+  EXPECT_EQ(read, std::string(3000000, 'x') + "end");
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(FillByName, LeavesTheOldFileIfTheLibraryFails) {
+  const TemporaryDirectory directory;
+  const auto path = directory.file("old", "before");
+  {
+    const FileSizeLimit limit(50000);
+    EXPECT_THROW(write_by_name(path, make_large), FileError);
+    EXPECT_THROW(write_by_name(directory / "new", make_large), FileError);
+  }
+  EXPECT_THROW(write_by_name(path, [](const auto&) {}), FileError) << "made nothing";
+  EXPECT_EQ(content_of(path), "before");
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(FillByName, FoldersGoWithTheProcess) {
+  const TemporaryDirectory directory;
+  const pid_t process = ::fork();
+  if (process == 0) {
+    write_by_name(directory / "new", [](const std::filesystem::path& path) {
+      make_large(path);
+      abandon_output_files();
+      ::_exit(0);
+    });
+  }
+  ASSERT_EQ(::waitpid(process, nullptr, 0), process);
+  EXPECT_EQ(directory.entries(), 0u);
 }
 
 TEST(AtomicWrite, WritesDevicesDirectly) {

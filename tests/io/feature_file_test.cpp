@@ -139,7 +139,7 @@ TEST_P(FeatureFile, SaysWhereItIs) {
   EXPECT_EQ(ogrinfo(written(layer, "a")).find("EPSG\",25832"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, FeatureFile, testing::Values(".geojson", ".gpkg"),
+INSTANTIATE_TEST_SUITE_P(Formats, FeatureFile, testing::Values(".geojson", ".gpkg", ".fgb", ".shp"),
                          [](const auto& format) { return std::string(format.param).substr(1); });
 
 TEST(FeatureFileNames, UnknownOnesAreRefused) {

@@ -1,6 +1,7 @@
 // What GDAL's programs read from a file of features: they share nothing with hodt.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -85,7 +86,21 @@ class HexGeometry {
   std::size_t at_ = 0;
 };
 
-/// All features of the file's only layer.
+/// Has a ring run counter-clockwise from its lexicographically least corner. Formats differ in
+/// that.
+inline void normalise_ring(std::vector<std::array<double, 3>>& ring) {
+  ring.pop_back();
+  double area = 0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    area += (ring[i][0] - ring[0][0]) * (ring[i + 1][1] - ring[0][1]) -
+            (ring[i][1] - ring[0][1]) * (ring[i + 1][0] - ring[0][0]);
+  if (area < 0) std::reverse(ring.begin(), ring.end());
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+  ring.push_back(ring.front());
+}
+
+/// All features of the file's only layer, sorted by their first positions: formats with an index
+/// sort as they like.
 inline std::vector<OgrFeature> ogr_features(const std::filesystem::path& path) {
   const std::string dump = printed_by("ogr2ogr -f PGDump /vsistdout/ '" + path.string() +
                                       "' --config PG_USE_COPY YES -lco FID=ogr_dump_id"
@@ -105,9 +120,12 @@ inline std::vector<OgrFeature> ogr_features(const std::filesystem::path& path) {
       std::getline(cells, cell, '\t');
       HexGeometry(cell).read(feature);
       while (std::getline(cells, cell, '\t')) feature.values.push_back(cell);
+      if (feature.type % 1000 == 3) normalise_ring(feature.positions);
       features.push_back(feature);
     }
   }
+  std::sort(features.begin(), features.end(),
+            [](const auto& a, const auto& b) { return a.positions[0] < b.positions[0]; });
   return features;
 }
 

@@ -461,7 +461,6 @@ TEST_F(PointDialects, other_formats_are_called_by_name) {
       {"VERSION .7\nFIELDS x y z\n", "a point cloud (PCD)", ""},
       {"{\"type\": \"FeatureCollection\", \"features\": []}", "map features (GeoJSON)", "ogr2ogr"},
       {"[{\"x\": 1, \"y\": 2}]", "JSON", "table"},
-      {"LASF\0\0\0\0", "a point cloud (LAS or LAZ)", "las2txt"},
       {std::string("II*\0\x08\0\0\0", 8), "a raster (TIFF)", "-of XYZ"},
       {std::string("\0\0\x27\x0A\0\0\0\0", 8), "map features (shapefile)", ""},
       {"PK\3\4\x14\6[Content_Types].xml", "a spreadsheet (xlsx or ods)", "CSV"},

@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(All, Locking, testing::ValuesIn(families::all()),
                          [](const auto& each) { return each.param.name; });
 
 TEST(ConstrainedTriangulation, both_ends_may_own_the_same_edge) {
-  const Delaunay d = delaunay({{{0, 0}, {4, 0}, {2, 1}, {2, -1}}, {}});
+  const Delaunay d = delaunay(PointSet{{{0, 0}, {4, 0}, {2, 1}, {2, -1}}, {}});
   const DelaunayGraph graph(d);
   ConstrainedTriangulation triangulation(graph);
   Index left = 0, right = 0;

@@ -293,7 +293,7 @@ TEST(FixedFaces, of_large_sets_have_walks_that_obey_euler) {
 /// then stands alone in the only face.
 TEST(FixedFaces, a_vertex_without_fixed_edges_is_a_component) {
   const Delaunay d =
-      delaunay({{{4, 0}, {2, 3}, {-2, 3}, {-4, 0}, {-2, -3}, {2, -3}, {0.5, 0.25}}, {}});
+      delaunay(PointSet{{{4, 0}, {2, 3}, {-2, 3}, {-4, 0}, {-2, -3}, {2, -3}, {0.5, 0.25}}, {}});
   const DelaunayGraph graph(d);
   const Buffer<bool> fixed = fixed_edges(graph, 7);
   const FixedFaces faces(graph, fixed);

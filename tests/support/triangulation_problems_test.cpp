@@ -177,7 +177,7 @@ TEST(OrderProblem, names_the_triangle) {
 }
 
 TEST(OrderProblem, other_meshes_are_refused) {
-  const Delaunay d = delaunay({{{0, 0}, {1, 0}, {0, 1}}, {}});
+  const Delaunay d = delaunay(PointSet{{{0, 0}, {1, 0}, {0, 1}}, {}});
   const DelaunayGraph graph(d);
   expect_problem(order_problem(graph, make_mesh(4, {{0, 1, 3}}), 3), "4 vertices");
   TriangleMesh clockwise = d.mesh;

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <exception>
 
+#include "hodt/base/stop.h"
+
 namespace hodt {
 
 /// What a search ends with whose result is of no use unless it is complete. Whoever set the
@@ -25,8 +27,12 @@ class Deadline {
     limited_ = true;
     at_ = Clock::now() + as_duration(seconds);
   }
-  bool passed() const { return limited_ && Clock::now() >= at_; }
-  /// Throws TimeIsUp if passed.
+  /// Throws Stopped if the work is to stop (see stop.h).
+  bool passed() const {
+    check_stop();
+    return limited_ && Clock::now() >= at_;
+  }
+  /// Throws TimeIsUp if passed, and Stopped likewise.
   void check() const {
     if (passed()) throw TimeIsUp();
   }

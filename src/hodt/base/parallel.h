@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "hodt/base/stop.h"
+
 #if defined(__SANITIZE_THREAD__)
 #define HODT_PLAIN_THREADS 1
 #elif defined(__has_feature)
@@ -32,18 +34,25 @@
 namespace hodt {
 
 /// Runs f(first, last) on pieces of [begin, end) of about `grain` elements or more, in parallel.
+/// Throws Stopped if the work is to stop (see stop.h).
 template <class F>
 void parallel_for(std::size_t begin, std::size_t end, std::size_t grain, const F& f) {
   if (end <= begin) return;
+  check_stop();
   if (end - begin <= grain) {
     f(begin, end);
     return;
   }
+  const auto piece = [&f, flag = StopOn::flag()](std::size_t first, std::size_t last) {
+    const StopOn stop(flag);
+    check_stop();
+    f(first, last);
+  };
 #ifdef HODT_PLAIN_THREADS
-  plain_threads::parallel_for(begin, end, f);
+  plain_threads::parallel_for(begin, end, piece);
 #else
   tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
-                    [&](const tbb::blocked_range<std::size_t>& r) { f(r.begin(), r.end()); });
+                    [&](const tbb::blocked_range<std::size_t>& r) { piece(r.begin(), r.end()); });
 #endif
 }
 
@@ -107,13 +116,20 @@ void parallel_stream(std::size_t begin, std::size_t end, std::size_t batch, std:
     sink(collector.collect(begin, std::min(end, begin + batch), grain, f));
 }
 
-/// Runs f() and g(), possibly at the same time.
+/// Runs f() and g(), possibly at the same time. Throws Stopped as parallel_for does.
 template <class F, class G>
 void parallel_invoke(const F& f, const G& g) {
+  const auto stoppable = [flag = StopOn::flag()](const auto& work) {
+    return [flag, &work] {
+      const StopOn stop(flag);
+      check_stop();
+      work();
+    };
+  };
 #ifdef HODT_PLAIN_THREADS
-  plain_threads::parallel_invoke(f, g);
+  plain_threads::parallel_invoke(stoppable(f), stoppable(g));
 #else
-  tbb::parallel_invoke(f, g);
+  tbb::parallel_invoke(stoppable(f), stoppable(g));
 #endif
 }
 

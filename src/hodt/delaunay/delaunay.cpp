@@ -8,7 +8,7 @@
 
 namespace hodt {
 
-Delaunay delaunay(const PointSet& points) {
+Delaunay delaunay(const PointView& points) {
   SpatialOrder order = spatial_order(points);
   if (order.vertices.size() < 3)
     throw InputError(fmt::format(

@@ -19,7 +19,7 @@ struct Delaunay {
 /// Triangulates the distinct points. O(n log n); the same bytes on any number of threads.
 /// Throws InputError for fewer than three distinct points, if all lie on one line, or if a
 /// coordinate is not finite.
-Delaunay delaunay(const PointSet& points);
+Delaunay delaunay(const PointView& points);
 
 /// The mesh with the vertices renamed to input rows (dropped duplicates have no triangle).
 TriangleMesh in_input_numbering(TriangleMesh mesh, const VertexSet& vertices,

@@ -31,7 +31,7 @@ struct Box {
   double max_y = -std::numeric_limits<double>::infinity();
 };
 
-void require_finite(const PointSet& points) {
+void require_finite(const PointView& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points.xy[i];
     const bool height_ok = !points.has_heights() || std::isfinite(points.z[i]);
@@ -43,7 +43,7 @@ void require_finite(const PointSet& points) {
 }
 
 /// The bounding box, and whether everything is finite: a sum with NaN or infinity in it is not.
-Box bounding_box(const PointSet& points) {
+Box bounding_box(const PointView& points) {
   const std::size_t pieces = (points.size() + kGrain - 1) / kGrain;
   std::vector<Box> boxes(pieces);
   std::vector<double> poison(pieces);
@@ -152,7 +152,7 @@ void sort_items(Item* items, Item* spare, std::size_t size, int shift) {
 
 /// The first pass, by the top bits and in parallel: pieces of the input are counted and then moved
 /// one after the other, which keeps the pass stable and its result independent of the threads.
-Buffer<Item> sorted_items(const PointSet& points, const Cells& cells) {
+Buffer<Item> sorted_items(const PointView& points, const Cells& cells) {
   const std::size_t n = points.size();
   const int bits = std::clamp(static_cast<int>(std::bit_width(n)) - 7, 1, 12);
   const int shift = 64 - bits;
@@ -201,7 +201,7 @@ Buffer<Item> sorted_items(const PointSet& points, const Cells& cells) {
 
 /// Sorts runs of equal keys lexicographically, lowest duplicate first, and drops the other
 /// duplicates, noting their heights. Returns how many items are left.
-std::size_t order_within_cells(const PointSet& points, Buffer<Item>& items,
+std::size_t order_within_cells(const PointView& points, Buffer<Item>& items,
                                DuplicateHeights& heights) {
   const auto before = [&](const Item& a, const Item& b) {
     const Point &p = points.xy[a.row], &q = points.xy[b.row];
@@ -240,7 +240,7 @@ std::size_t order_within_cells(const PointSet& points, Buffer<Item>& items,
 
 }  // namespace
 
-SpatialOrder spatial_order(const PointSet& points) {
+SpatialOrder spatial_order(const PointView& points) {
   if (points.size() > kMaxPoints)
     throw InputError(fmt::format(
         "{} points are more than the {} that one triangulation can hold; split the input",
@@ -264,7 +264,7 @@ SpatialOrder spatial_order(const PointSet& points) {
   return order;
 }
 
-Buffer<VertexId> vertices_of_rows(const PointSet& points, const VertexSet& vertices) {
+Buffer<VertexId> vertices_of_rows(const PointView& points, const VertexSet& vertices) {
   Buffer<VertexId> vertex_of(points.size(), VertexId());
   for (Index v = 0; v < vertices.size(); ++v) vertex_of[vertices.row[v]] = VertexId(v);
   if (vertices.size() == points.size()) return vertex_of;

@@ -6,6 +6,7 @@
 
 #include "hodt/base/buffer.h"
 #include "hodt/base/ids.h"
+#include "hodt/delaunay/duplicates.h"
 #include "hodt/geometry/point.h"
 #include "hodt/geometry/point_set.h"
 
@@ -13,13 +14,6 @@ namespace hodt {
 
 /// As many points as the ids of their half-edges, 6n, leave room for.
 inline constexpr std::size_t kMaxPoints = kNone / 6;
-
-/// Of points that are dropped because another one has the same (x, y), and a lower height or comes
-/// first.
-struct DuplicateHeights {
-  std::size_t different = 0;  ///< those higher than the one that stays
-  double largest_difference = 0;
-};
 
 /// The vertices of a triangulation: the distinct points of a PointSet along a Z-order curve. Every
 /// stage after the reader computes with these numbers; `row` leads back to the input.
@@ -44,9 +38,9 @@ struct SpatialOrder {
 /// if z ties too). The same order whatever the order of the input and the number of threads.
 /// Throws InputError if a coordinate is NaN or infinite, naming its row, and if there are
 /// more than kMaxPoints.
-SpatialOrder spatial_order(const PointSet& points);
+SpatialOrder spatial_order(const PointView& points);
 
 /// The vertex that stands for each input row: for a dropped duplicate, the vertex at its place.
-Buffer<VertexId> vertices_of_rows(const PointSet& points, const VertexSet& vertices);
+Buffer<VertexId> vertices_of_rows(const PointView& points, const VertexSet& vertices);
 
 }  // namespace hodt

@@ -27,6 +27,8 @@ struct Lines {
   /// What errors say: the file, and what it calls its parts ("feature"). Both may be empty.
   std::string source = {};
   std::string part = {};
+  /// The coordinate reference system, as in PointSet.
+  std::string crs = {};
 };
 
 /// An area. A place is inside if a ray from it meets the rings an odd number of times, so rings may
@@ -37,6 +39,7 @@ struct Outline {
   /// As in Lines.
   std::string source = {};
   std::string part = {};
+  std::string crs = {};
 };
 
 }  // namespace hodt

@@ -28,6 +28,8 @@ struct Places {
   std::string part = {};
   std::vector<Index> part_of_point = {};
   std::vector<Index> part_of_polygon = {};
+  /// The coordinate reference system, as in PointSet.
+  std::string crs = {};
 
   bool empty() const { return points.empty() && polygons.empty(); }
 };

@@ -1,6 +1,8 @@
 #include "hodt/hydrology/pit_depths.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "hodt/geometry/heights.h"
@@ -41,7 +43,8 @@ std::vector<Pit> pit_depths(const TriangleMesh& mesh, std::span<const Point> xy,
   std::iota(order.begin(), order.end(), Index(0));
   std::sort(order.begin(), order.end(),
             [&](Index a, Index b) { return heights.lower(VertexId(a), VertexId(b)); });
-  std::vector<double> depth(xy.size(), -1);  // of bottoms
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> level(xy.size(), none);  // where what stands on a bottom flows over
   Basins basins(xy.size());
   std::vector<bool> is_flooded(xy.size(), false);
   for (const Index v : order) {
@@ -55,7 +58,7 @@ std::vector<Pit> pit_depths(const TriangleMesh& mesh, std::span<const Point> xy,
       // v itself is no bottom: what it has joined so far takes its place.
       const auto flow_over = [&](Index set) {
         if (basins.drains(set)) return;
-        depth[basins.bottom(set)] = z[v] - z[basins.bottom(set)];
+        level[basins.bottom(set)] = z[v];
       };
       if (basins.bottom(mine) == v) {
         basins.join(other, mine);
@@ -71,16 +74,16 @@ std::vector<Pit> pit_depths(const TriangleMesh& mesh, std::span<const Point> xy,
       basins.join(lower, higher);
       if (drains) basins.set_drains(lower);
     });
-    if (is_minimum) depth[v] = 0;
+    if (is_minimum) level[v] = z[v];
     const Index set = basins.find(v);
     if (mesh.is_boundary(outgoing[v]) && !basins.drains(set)) {
-      depth[basins.bottom(set)] = z[v] - z[basins.bottom(set)];
+      level[basins.bottom(set)] = z[v];
       basins.set_drains(set);
     }
   }
   std::vector<Pit> pits;
   for (Index v = 0; v < xy.size(); ++v)
-    if (depth[v] >= 0) pits.push_back({VertexId(v), depth[v]});
+    if (!std::isnan(level[v])) pits.push_back({VertexId(v), level[v] - z[v], level[v]});
   return pits;
 }
 

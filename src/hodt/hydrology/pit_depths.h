@@ -12,6 +12,7 @@ namespace hodt {
 struct Pit {
   VertexId bottom;  ///< a local minimum
   double depth;     ///< from there to where water would flow over: 0 on the boundary
+  double level;     ///< the height where it would
 };
 
 /// All local minima with their depths, in the order of vertices. Filled with water, a pit flows

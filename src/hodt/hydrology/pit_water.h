@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "hodt/base/buffer.h"
 #include "hodt/geometry/point.h"
+#include "hodt/hydrology/pit_depths.h"
 #include "hodt/mesh/triangle_mesh.h"
 
 namespace hodt {
@@ -21,6 +23,11 @@ Buffer<double> water_levels(const TriangleMesh& mesh, std::span<const double> z)
 /// ends where the surface rises out of it; each such wedge is integrated in closed form. A pit in a
 /// larger pit is part of it. In cubed units of the input if heights and places share theirs.
 double water_volume(const TriangleMesh& mesh, std::span<const Point> xy, std::span<const double> z);
+
+/// What each of the pits (see pit_depths.h) holds before it flows over, smaller pits inside of it
+/// included. In the time that it takes to look at each vertex once for each pit that it is in.
+std::vector<double> pit_volumes(const TriangleMesh& mesh, std::span<const Point> xy,
+                                std::span<const double> z, std::span<const Pit> pits);
 
 /// All pits of a terrain together.
 struct PitTotals {

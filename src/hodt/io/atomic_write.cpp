@@ -10,6 +10,7 @@
 #include <sstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ std::string output_name(const std::filesystem::path& path) {
   throw FileError(fmt::format("cannot write {}: {}", output_name(path), why));
 }
 
-/// The temporary files and folders that there are. Their names change under the lock.
+/// The temporary files that there are. Their names change under the lock.
 struct TemporaryFiles {
   std::recursive_mutex mutex;  // a failure under the lock removes its file
   std::set<std::filesystem::path> names;
@@ -70,19 +71,21 @@ int open_retrying(const std::filesystem::path& path, int flags) {
   return descriptor;
 }
 
-/// A folder that is there for one library to write in, and goes with all that it holds.
+/// An empty folder, for a while.
 class TemporaryFolder {
  public:
-  /// Beside the target, or where the system has such folders if nothing can be moved there.
-  TemporaryFolder(const std::filesystem::path& target, bool beside) {
-    const std::unique_lock lock(temporary_files().mutex);
-    std::error_code error;
+  /// Beside the target, or where temporary files are if that is a device or a pipe.
+  TemporaryFolder(const std::filesystem::path& target, bool is_beside) {
+    const std::filesystem::path like =
+        is_beside ? target : std::filesystem::temp_directory_path() / target.filename();
+    TemporaryFiles& others = temporary_files();
+    const std::unique_lock lock(others.mutex);
     do {
-      path_ = temporary_name(beside ? target
-                                    : std::filesystem::temp_directory_path() / target.filename());
-    } while (!std::filesystem::create_directory(path_, error) && !error);
-    if (error) refuse(target, error.message());
-    temporary_files().names.insert(path_);
+      path_ = temporary_name(like);
+      if (::mkdir(path_.c_str(), 0700) == 0) break;
+      if (errno != EEXIST) refuse(path_, std::strerror(errno));
+    } while (true);
+    others.names.insert(path_);
   }
   ~TemporaryFolder() {
     std::error_code ignored;
@@ -92,7 +95,6 @@ class TemporaryFolder {
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
   const std::filesystem::path& path() const { return path_; }
 
  private:
@@ -130,7 +132,11 @@ void OutputFile::open_temporary() {
   if (descriptor_ < 0) fail(errno);
   temporary_ = name;
   others.names.insert(name);
-  // A file that is replaced keeps its permissions; a new one has the usual ones already.
+  keep_permissions();
+}
+
+/// A file that is replaced keeps its permissions; a new one has the usual ones already.
+void OutputFile::keep_permissions() {
   struct stat status;
   if (::stat(target_.c_str(), &status) == 0 && ::fchmod(descriptor_, status.st_mode & 07777) != 0) {
     fail(errno);
@@ -151,51 +157,51 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
-void OutputFile::fill(const std::function<void(const std::filesystem::path&)>& fill,
-                      std::string_view extensions) {
+void OutputFile::fill_by_name(const std::function<void(const std::filesystem::path&)>& make,
+                              std::string_view companions) {
   const TemporaryFolder folder(target_, !temporary_.empty());
   const std::filesystem::path made = folder.path() / target_.filename();
-  fill(made);
-  take(made);
-  take_companions(folder.path(), extensions);
-}
-
-/// A file that was made on the same file system moves; through pipes and the like its bytes go.
-void OutputFile::take(const std::filesystem::path& made) {
+  make(made);
   if (temporary_.empty()) {
-    std::ifstream bytes(made, std::ios::binary);
-    std::vector<char> piece(1 << 20);
-    while (bytes.read(piece.data(), std::ssize(piece)) || bytes.gcount() > 0)
-      write({piece.data(), static_cast<std::size_t>(bytes.gcount())});
-    if (bytes.bad() || !bytes.eof()) fail(EIO);
-    std::filesystem::remove(made);
-    return;
+    copy(made);
+  } else {
+    take(made);
+    std::istringstream extensions{std::string(companions)};
+    for (std::string extension; extensions >> extension;)
+      take_companion(std::filesystem::path(made).replace_extension(extension));
   }
-  struct stat status;
-  const int descriptor = open_retrying(made, O_WRONLY);
-  if (descriptor < 0) fail(errno);
-  ::close(std::exchange(descriptor_, descriptor));
-  const std::unique_lock lock(temporary_files().mutex);
-  if (::stat(temporary_.c_str(), &status) != 0 ||
-      ::fchmod(descriptor_, status.st_mode & 07777) != 0 ||
-      ::rename(made.c_str(), temporary_.c_str()) != 0)
-    fail(errno);
 }
 
-void OutputFile::take_companions(const std::filesystem::path& folder, std::string_view extensions) {
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::filesystem::path name = entry.path().filename();
-    companions_.push_back(std::make_unique<OutputFile>(directory_of(target_) / name));
-    companions_.back()->take(entry.path());
+void OutputFile::take_companion(const std::filesystem::path& made) {
+  const std::filesystem::path place = directory_of(target_) / made.filename();
+  if (std::filesystem::exists(made)) {
+    companions_.push_back(std::make_unique<OutputFile>(place));
+    companions_.back()->take(made);
+  } else {
+    outdated_.push_back(place);
   }
-  std::istringstream rest{std::string(extensions)};
-  for (std::string extension; rest >> extension;) {
-    const std::filesystem::path old = std::filesystem::path(target_).replace_extension(extension);
-    const auto is_made = [&](const auto& file) {
-      return file->path().filename() == old.filename();
-    };
-    if (std::none_of(companions_.begin(), companions_.end(), is_made)) outdated_.push_back(old);
+}
+
+/// Takes the place of the temporary file.
+void OutputFile::take(const std::filesystem::path& made) {
+  {
+    const std::unique_lock lock(temporary_files().mutex);
+    if (::rename(made.c_str(), temporary_.c_str()) != 0) fail(errno);
   }
+  ::close(std::exchange(descriptor_, -1));
+  descriptor_ = open_retrying(temporary_, O_WRONLY | O_APPEND);
+  if (descriptor_ < 0) fail(errno);
+  keep_permissions();
+}
+
+void OutputFile::copy(const std::filesystem::path& made) {
+  std::ifstream stream(made, std::ios::binary);
+  std::vector<char> piece(std::size_t{1} << 20);
+  while (stream) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    write({piece.data(), static_cast<std::size_t>(stream.gcount())});
+  }
+  if (!stream.eof()) refuse(path_, "what was made for it cannot be read: " + made.string());
 }
 
 void OutputFile::finish() {

@@ -31,13 +31,14 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view bytes);
-  /// In place of write(): for a library that insists on a path. `fill` gets a path of the target's
-  /// name in a folder that is there for it alone. What it leaves there becomes the file; it may
-  /// leave others of the same name with other extensions beside it, which appear with the file.
-  /// Such companions of the target as have one of the `extensions`, each with its dot and separated
-  /// by blanks, and are not left there again, go away when the file appears.
-  void fill(const std::function<void(const std::filesystem::path&)>& fill,
-            std::string_view extensions = {});
+  /// For libraries that make files by themselves: `make` is told a name that ends as the target's
+  /// does, in an empty folder, and what it leaves there becomes all that this file holds. It may
+  /// leave other files beside it, which are removed with the folder, whatever happens; but those of
+  /// the same name with one of the extensions `companions`, separated by blanks, belong to the file
+  /// and appear with it, and where there is none an old one goes. To be called once, in place of
+  /// write().
+  void fill_by_name(const std::function<void(const std::filesystem::path&)>& make,
+                    std::string_view companions = {});
   /// Everything is on the disk, and nothing more is written: what can fail has failed by now.
   void finish();
   /// Everything is on the disk, and then at the target.
@@ -45,14 +46,19 @@ class OutputFile {
 
   /// As it was named to the constructor.
   const std::filesystem::path& path() const { return path_; }
+  /// Whether a file appears at the end, in place of an old one if there is one; else every byte
+  /// goes directly to where it is read.
+  bool is_replaced() const { return !temporary_.empty(); }
 
  private:
   friend void commit_together(std::span<const std::unique_ptr<OutputFile>> files);
 
   void rename();
   void open_temporary();
+  void keep_permissions();
   void take(const std::filesystem::path& made);
-  void take_companions(const std::filesystem::path& folder, std::string_view extensions);
+  void take_companion(const std::filesystem::path& made);
+  void copy(const std::filesystem::path& made);
   void discard() noexcept;
   [[noreturn]] void fail(int error);
 
@@ -62,14 +68,15 @@ class OutputFile {
   int descriptor_ = -1;
   bool owns_descriptor_ = true;
   std::vector<std::unique_ptr<OutputFile>> companions_;
-  std::vector<std::filesystem::path> outdated_;  ///< companions that go away
+  std::vector<std::filesystem::path> outdated_;  ///< companions of an old file, to remove
 };
 
 /// Commits all of them, and none if one cannot be finished.
 void commit_together(std::span<const std::unique_ptr<OutputFile>> files);
 
-/// Removes the temporary files of this process, for good: whoever tries to write afterwards waits
-/// for ever. For a program that a signal ends; to be called by a thread, not by a signal handler.
+/// Removes the temporary files and folders of this process, for good: whoever tries to write
+/// afterwards waits for ever. For a program that a signal ends; to be called by a thread, not by a
+/// signal handler.
 void abandon_output_files() noexcept;
 
 /// Whether the path stands for the process's standard output: "-", /dev/stdout and the like.

@@ -18,10 +18,11 @@ using std::string_view_literals::operator""sv;
 constexpr std::string_view kMesh =
     "a mesh; 'hodt check' looks at OBJ and PLY meshes; export the vertices as a table x,y,z";
 constexpr std::string_view kRaster =
-    "a raster; write its cells as points, with gdal_translate -of XYZ for example";
+    "a raster; hodt reads rasters by their extensions, .tif, .asc, .nc and others: name it so, "
+    "unpacked, or make it a GeoTIFF with gdal_translate";
 constexpr std::string_view kVector =
-    "map features; write the points as a table, with ogr2ogr -f CSV -lco GEOMETRY=AS_XYZ for "
-    "example";
+    "map features; hodt reads them by their extensions, .gpkg, .shp, .fgb, .geojson and others: "
+    "name it so, unpacked, or make it a GeoPackage with ogr2ogr";
 constexpr std::string_view kCloud =
     "a point cloud; write it as text, with pdal translate or las2txt for example";
 constexpr std::string_view kSheet = "a spreadsheet; save the sheet with the points as CSV";
@@ -37,7 +38,6 @@ struct Signature {
 
 /// First bytes that nothing else has.
 constexpr Signature kSignatures[] = {
-    {"LASF"sv, "LAS or LAZ", kCloud},
     {"ASTM-E57"sv, "E57", kCloud},
     {"# .PCD"sv, "PCD", kCloud},
     {"glTF"sv, "glTF", kMesh},
@@ -150,14 +150,6 @@ std::string json(std::string_view start) {
   return features ? described("GeoJSON", kVector) : described("JSON", kData);
 }
 
-/// A header of a grid: "ncols 100".
-bool is_esri_grid(std::string_view text) {
-  for (const std::string_view key : {"ncols", "nrows", "xllcorner", "xllcenter"})
-    if (starts_with_word(text, key) && text.size() > key.size() && is_blank(text[key.size()]))
-      return true;
-  return false;
-}
-
 bool is_dxf(std::string_view text) {
   return take_word(text) == "0" && take_word(text) == "SECTION";
 }
@@ -225,6 +217,14 @@ bool is_unmarked_utf16(std::string_view text) {
 }
 
 }  // namespace
+
+bool is_esri_grid(std::string_view bytes) {
+  const std::string_view text = without_leading_blanks(bytes.substr(0, 4096));
+  for (const std::string_view key : {"ncols", "nrows", "xllcorner", "xllcenter"})
+    if (starts_with_word(text, key) && text.size() > key.size() && is_blank(text[key.size()]))
+      return true;
+  return false;
+}
 
 std::string foreign_format(std::string_view bytes) {
   for (const Signature& signature : kSignatures)

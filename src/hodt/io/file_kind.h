@@ -13,6 +13,9 @@ namespace hodt {
 /// bytes look like no other format that holds points.
 std::string foreign_format(std::string_view bytes);
 
+/// Whether it begins as an ESRI ASCII grid does.
+bool is_esri_grid(std::string_view bytes);
+
 /// Throws InputError, saying what the input is, unless it can be a table of points.
 void require_table(const InputText& input);
 

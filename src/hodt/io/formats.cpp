@@ -1,19 +1,27 @@
 #include "hodt/io/formats.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/file_kind.h"
 #include "hodt/io/file_name.h"
+#include "hodt/io/gdal/readers.h"
+#include "hodt/io/gdal/writers.h"
 #include "hodt/io/geojson.h"
 #include "hodt/io/geojson_reader.h"
 #include "hodt/io/geopackage.h"
 #include "hodt/io/glb.h"
 #include "hodt/io/input_text.h"
 #include "hodt/io/landxml.h"
+#include "hodt/io/las/las_reader.h"
+#include "hodt/io/las_table.h"
 #include "hodt/io/obj.h"
 #include "hodt/io/ply.h"
 #include "hodt/io/point_text_file.h"
 #include "hodt/io/stl.h"
+#include "hodt/io/tin_layer.h"
 #include "hodt/io/two_dm.h"
 #include "hodt/io/ugrid.h"
 #include "hodt/io/vtu.h"
@@ -22,12 +30,31 @@ namespace hodt {
 
 namespace {
 
+/// What a file of points is, its bytes say.
 PointTable read_table(const std::filesystem::path& path, const PointChoice& choice) {
-  return parse_point_table(read_input(path), choice.columns);
+  InputText input = read_input(path);
+  if (is_las(input.view())) {
+    check_choice(choice, PointKind::las, input.name);
+    return read_las_table(input, choice);
+  }
+  check_choice(choice, PointKind::table, input.name);
+  return parse_point_table(std::move(input), choice.columns);
 }
 
-void read_geojson_file(const std::filesystem::path& path, const FeatureTaker& taker) {
-  read_geojson(read_input(path), taker);
+/// Tables have this extension, too.
+PointTable read_grid_or_table(const std::filesystem::path& path, const PointChoice& choice) {
+  InputText input = read_input(path);
+  if (is_esri_grid(input.view())) return read_raster_points(path, choice);
+  check_choice(choice, PointKind::table, input.name);
+  return parse_point_table(std::move(input), choice.columns);
+}
+
+std::string read_geojson_file(const std::filesystem::path& path, const std::string& layer,
+                              const FeatureTaker& taker) {
+  if (!layer.empty())
+    throw ParameterError(
+        fmt::format("{} is GeoJSON, which has no layers, and no '{}'", display_name(path), layer));
+  return read_geojson(read_input(path), taker);
 }
 
 template <Tin (*parse)(const InputText&)>
@@ -35,98 +62,80 @@ Tin read_mesh(const std::filesystem::path& path) {
   return parse(read_input(path));
 }
 
-constexpr Keeps kNoMesh = {false, false, false};
+/// A polygon a triangle.
+template <void (*write)(const FeatureLayer&, OutputFile&)>
+void write_triangles(const Tin& tin, OutputFile& file) {
+  write(triangle_layer(tin), file);
+}
 
+// clang-format off
 constexpr Format kFormats[] = {
-    // name, extensions, packed, points, features, mesh, write points, write mesh, write features,
-    // what a mesh keeps
-    {"CSV", ".csv", true, read_table, nullptr, nullptr, write_csv, nullptr, nullptr, kNoMesh},
-    {"XYZ", ".xyz", true, read_table, nullptr, nullptr, write_xyz, nullptr, nullptr, kNoMesh},
-    {"GeoJSON", ".geojson .json", true, nullptr, read_geojson_file, nullptr, nullptr, nullptr,
-     write_geojson_layer, kNoMesh},
-    {"GeoPackage", ".gpkg", false, nullptr, nullptr, nullptr, nullptr, nullptr, write_geopackage,
-     kNoMesh},
-    {"OBJ",
-     ".obj",
-     true,
-     nullptr,
-     nullptr,
-     read_mesh<parse_obj>,
-     nullptr,
-     write_obj,
-     nullptr,
-     {true, true, false}},
-    {"PLY",
-     ".ply",
-     true,
-     nullptr,
-     nullptr,
-     read_mesh<parse_ply>,
-     nullptr,
-     write_ply,
-     nullptr,
-     {true, true, false}},
-    {"VTU",
-     ".vtu",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_vtu,
-     nullptr,
-     {true, true, true}},
-    {"UGRID netCDF",
-     ".nc",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_ugrid,
-     nullptr,
-     {true, true, true}},
-    {"2DM",
-     ".2dm",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_2dm,
-     nullptr,
-     {true, false, false}},
-    {"LandXML 1.2",
-     ".xml .landxml",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_landxml,
-     nullptr,
-     {true, true, false}},
-    {"GLB",
-     ".glb",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_glb,
-     nullptr,
-     {false, true, false}},
-    {"STL",
-     ".stl",
-     false,
-     nullptr,
-     nullptr,
-     nullptr,
-     nullptr,
-     write_stl,
-     nullptr,
-     {false, false, false}},
+    {.name = "CSV", .extensions = ".csv", .can_be_packed = true,
+     .read_points = read_table, .write_points = write_csv},
+    {.name = "XYZ", .extensions = ".xyz", .can_be_packed = true,
+     .read_points = read_table, .write_points = write_xyz},
+    {.name = "LAS", .extensions = ".las .laz", .can_be_packed = true,
+     .read_points = read_table},
+    {.name = "OBJ", .extensions = ".obj", .can_be_packed = true,
+     .read_tin = read_mesh<parse_obj>, .write_tin = write_obj,
+     .keeps = {.heights = true, .crs = true}},
+    {.name = "PLY", .extensions = ".ply", .can_be_packed = true,
+     .read_tin = read_mesh<parse_ply>, .write_tin = write_ply,
+     .keeps = {.heights = true, .crs = true}},
+    {.name = "VTU", .extensions = ".vtu",
+     .write_tin = write_vtu, .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "UGRID netCDF", .extensions = ".nc",
+     .write_tin = write_ugrid, .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "2DM", .extensions = ".2dm",
+     .write_tin = write_2dm, .keeps = {.heights = true}},
+    {.name = "LandXML 1.2", .extensions = ".xml .landxml",
+     .write_tin = write_landxml, .keeps = {.heights = true, .crs = true}},
+    {.name = "GLB", .extensions = ".glb",
+     .write_tin = write_glb, .keeps = {.crs = true}},
+    {.name = "STL", .extensions = ".stl",
+     .write_tin = write_stl},
+    {.name = "GeoJSON", .extensions = ".geojson .json", .can_be_packed = true,
+     .read_points = read_layer_points, .read_features = read_geojson_file,
+     .write_tin = write_triangles<write_geojson_layer>, .write_features = write_geojson_layer,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "GeoPackage", .extensions = ".gpkg",
+     .read_points = read_layer_points, .read_features = read_layer_features,
+     .write_tin = write_triangles<write_geopackage>, .write_features = write_geopackage,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "FlatGeobuf", .extensions = ".fgb",
+     .read_points = read_layer_points, .read_features = read_layer_features,
+     .write_tin = write_triangles<write_flatgeobuf>, .write_features = write_flatgeobuf,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "Shapefile", .extensions = ".shp",
+     .read_points = read_layer_points, .read_features = read_layer_features,
+     .write_tin = write_triangles<write_shapefile>, .write_features = write_shapefile,
+     .keeps = {.heights = true, .crs = true, .order = true}},
+    {.name = "DXF", .extensions = ".dxf",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "GML", .extensions = ".gml",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "KML", .extensions = ".kml",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "MapInfo", .extensions = ".tab .mif",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "SQLite", .extensions = ".sqlite",
+     .read_points = read_layer_points, .read_features = read_layer_features},
+    {.name = "ESRI ASCII grid", .extensions = ".asc", .can_be_packed = true,
+     .read_points = read_grid_or_table},
+    {.name = "GeoTIFF", .extensions = ".tif .tiff", .read_points = read_raster_points},
+    {.name = "GDAL virtual raster", .extensions = ".vrt", .read_points = read_raster_points},
+    {.name = "ERDAS Imagine", .extensions = ".img", .read_points = read_raster_points},
+    {.name = "SRTM", .extensions = ".hgt", .read_points = read_raster_points},
+    {.name = "USGS DEM", .extensions = ".dem", .read_points = read_raster_points},
+    {.name = "DTED", .extensions = ".dt0 .dt1 .dt2", .read_points = read_raster_points},
+    {.name = "netCDF grid", .extensions = ".nc", .read_points = read_raster_points},
+    {.name = "Surfer grid", .extensions = ".grd", .read_points = read_raster_points},
+    {.name = "ESRI float and BIL grids", .extensions = ".flt .bil", .read_points = read_raster_points},
+    {.name = "ESRI binary grid", .extensions = ".adf", .read_points = read_raster_points},
+    {.name = "JPEG 2000", .extensions = ".jp2", .read_points = read_raster_points},
+    {.name = "GRIB", .extensions = ".grb .grb2", .read_points = read_raster_points},
 };
+// clang-format on
 
 bool has_extension(const Format& format, std::string_view extension) {
   std::string_view rest = format.extensions;
@@ -207,8 +216,10 @@ bool can(const Format& format, Use use) {
 
 const Format* find_format(const std::filesystem::path& path, Use use) {
   const std::string extension = extension_of(path, use);
+  const bool is_packed = use != Use::write_tin && is_packed_name(path);
   for (const Format& format : kFormats)
-    if (can(format, use) && has_extension(format, extension)) return &format;
+    if (can(format, use) && has_extension(format, extension))
+      return is_packed && !format.can_be_packed ? nullptr : &format;
   return nullptr;
 }
 

@@ -18,9 +18,9 @@ namespace hodt {
 
 /// What a mesh keeps when hodt writes it.
 struct Keeps {
-  bool heights;  ///< every bit of them, and of x and y
-  bool crs;      ///< the coordinate reference system
-  bool order;    ///< the order of each triangle
+  bool heights = false;  ///< every bit of them, and of x and y
+  bool crs = false;      ///< the coordinate reference system
+  bool order = false;    ///< the order of each triangle
 };
 
 /// A format. What it cannot do is nullptr. The functions throw what those of point_file.h,
@@ -30,14 +30,16 @@ struct Format {
   /// Of file names: in lower case, separated by spaces.
   std::string_view extensions;
   /// Whether it may be packed with gzip, and the name end in .gz. Meshes are never written so.
-  bool can_be_packed;
-  PointTable (*read_points)(const std::filesystem::path&, const PointChoice&);
-  void (*read_features)(const std::filesystem::path&, const FeatureTaker&);
-  Tin (*read_tin)(const std::filesystem::path&);
-  void (*write_points)(const PointSet&, OutputFile&);
-  void (*write_tin)(const Tin&, OutputFile&);
-  void (*write_features)(const FeatureLayer&, OutputFile&);
-  Keeps keeps;
+  bool can_be_packed = false;
+  PointTable (*read_points)(const std::filesystem::path&, const PointChoice&) = nullptr;
+  /// Of the layer of that name; empty: the only one. Returns the coordinate reference system.
+  std::string (*read_features)(const std::filesystem::path&, const std::string& layer,
+                               const FeatureTaker&) = nullptr;
+  Tin (*read_tin)(const std::filesystem::path&) = nullptr;
+  void (*write_points)(const PointSet&, OutputFile&) = nullptr;
+  void (*write_tin)(const Tin&, OutputFile&) = nullptr;
+  void (*write_features)(const FeatureLayer&, OutputFile&) = nullptr;
+  Keeps keeps = {};
 };
 
 std::span<const Format> formats();

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hodt/base/error.h"
+#include "hodt/io/crs.h"
 #include "hodt/io/text_encoding.h"
 #include "hodt/io/text_lines.h"
 
@@ -233,9 +234,12 @@ class Walker {
 
 }  // namespace
 
-void read_geojson(const InputText& text, const FeatureTaker& taker) {
+std::string read_geojson(const InputText& text, const FeatureTaker& taker) {
   const Json root = parsed(text, taker);
   Walker(text, taker).walk(root);
+  const Json::json_pointer name("/crs/properties/name");
+  const bool has_name = root.contains(name) && root.at(name).is_string();
+  return has_name ? crs_of_urn(root.at(name).get<std::string>()) : std::string();
 }
 
 }  // namespace hodt

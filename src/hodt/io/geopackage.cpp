@@ -1,7 +1,6 @@
 #include "hodt/io/geopackage.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -15,14 +14,15 @@
 #include "hodt/io/crs_name.h"
 #include "hodt/io/feature_file.h"
 #include "hodt/io/feature_texts.h"
+#include "hodt/io/formats.h"
+#include "hodt/io/gdal/writers.h"
 #include "hodt/io/rtree.h"
 #include "hodt/io/sqlite.h"
+#include "hodt/io/well_known_binary.h"
 
 namespace hodt {
 
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "geometries are written as they lie");
 
 /// Of the last change the standard wants to know the time, but the same input gives the same bytes.
 constexpr const char* kNoTime = "1970-01-01T00:00:00.000Z";
@@ -126,63 +126,51 @@ std::string table_name(const std::string& layer) {
   return layer;
 }
 
-/// Adds a line for the system, unless it has one; returns its number. A number in EPSG's list tells
-/// readers all, so its definition may stay open.
+/// What the standard wants to know of a system. Where it cannot be told, the number in EPSG's list
+/// tells readers all the same.
+std::string definition_of(const std::string& crs) {
+  const std::string definition = has_gdal() ? crs_definition(crs) : "";
+  if (!definition.empty()) return definition;
+  return crs.find('[') != std::string::npos ? crs : "undefined";
+}
+
+/// Adds a line for the system, unless it has one; returns its number.
 std::int64_t add_crs(Database& database, const std::string& crs) {
   constexpr std::int64_t undefined = -1, own = 100000;
   if (crs.empty()) return undefined;
   const CrsCode code = crs_code(crs).value_or(CrsCode{"NONE", own});
   const std::int64_t id = code.authority == "EPSG" ? code.number : own;
-  const bool is_text = crs.find('[') != std::string::npos;
+  const std::string name = fmt::format("{}:{}", code.authority, code.number);
   database.run(
-      fmt::format("INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES ({}, {}, {}, {}, {}, NULL)",
-                  sql_text(fmt::format("{}:{}", code.authority, code.number)), id,
-                  sql_text(code.authority), code.number, sql_text(is_text ? crs : "undefined")));
+      fmt::format("INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES ({}, {}, {}, {}, {}, {})",
+                  sql_text(name), id, sql_text(code.authority), code.number,
+                  sql_text(definition_of(crs)), crs == name ? "NULL" : sql_text(crs)));
   return id;
 }
 
-template <class T>
-void append_raw(std::string& bytes, T value) {
-  char raw[sizeof value];
-  std::memcpy(raw, &value, sizeof value);
-  bytes.append(raw, sizeof raw);
-}
-
-void append_position(std::string& bytes, const LayerFeature& feature, std::size_t i) {
-  append_raw(bytes, feature.xy[i]);
-  if (!feature.z.empty()) append_raw(bytes, feature.z[i]);
-}
-
-/// Well-known binary, as ISO has it, behind the standard's own head.
+/// What a geometry begins with, and its box, in front of well-known binary.
 class GeometryBytes {
  public:
-  GeometryBytes(const FeatureLayer& layer, std::int64_t crs) : kind_(layer.geometry) {
+  GeometryBytes(const FeatureLayer& layer, std::int64_t crs)
+      : has_box_(layer.geometry != GeometryKind::point), body_(layer) {
     constexpr int version = 0, little_endian = 1, with_box = 2;
-    const bool has_box = kind_ != GeometryKind::point;
-    for (const int byte : {int{'G'}, int{'P'}, version, little_endian | (has_box ? with_box : 0)})
+    for (const int byte : {int{'G'}, int{'P'}, version, little_endian | (has_box_ ? with_box : 0)})
       head_ += static_cast<char>(byte);
     append_raw(head_, static_cast<std::int32_t>(crs));
-    body_ += static_cast<char>(little_endian);
-    append_raw(body_, (layer.has_heights ? 1001u : 1u) + static_cast<std::uint32_t>(kind_));
-    if (kind_ == GeometryKind::polygon) append_raw(body_, std::uint32_t{1});  // ring
   }
 
   void append(std::string& bytes, const LayerFeature& feature, const Box& box) const {
     bytes += head_;
-    if (kind_ != GeometryKind::point)
+    if (has_box_)
       for (const double side : {box.low.x, box.high.x, box.low.y, box.high.y})
         append_raw(bytes, side);
-    bytes += body_;
-    const bool is_ring = kind_ == GeometryKind::polygon;
-    if (kind_ != GeometryKind::point)
-      append_raw(bytes, static_cast<std::uint32_t>(feature.xy.size() + (is_ring ? 1 : 0)));
-    for (std::size_t i = 0; i < feature.xy.size(); ++i) append_position(bytes, feature, i);
-    if (is_ring) append_position(bytes, feature, 0);
+    body_.append(bytes, feature);
   }
 
  private:
-  GeometryKind kind_;
-  std::string head_, body_;
+  bool has_box_;
+  std::string head_;
+  WellKnownBinary body_;
 };
 
 /// Features on their way from all threads to the one that writes: a geometry and values, each
@@ -355,7 +343,7 @@ void describe(Database& database, const FeatureLayer& layer, const std::string& 
 }  // namespace
 
 void write_geopackage(const FeatureLayer& layer, OutputFile& file) {
-  file.fill([&](const std::filesystem::path& path) {
+  file.fill_by_name([&](const std::filesystem::path& path) {
     Database database(path, file.path());
     database.run(kTables);
     const std::string table = table_name(layer_name(layer, file.path()));

@@ -15,8 +15,8 @@ namespace hodt {
 
 namespace {
 
-/// Hands what a file holds to a taker.
-using Reading = std::function<void(const FeatureTaker&)>;
+/// Hands what a file holds to a taker; returns the coordinate reference system.
+using Reading = std::function<std::string(const FeatureTaker&)>;
 
 /// The line with its last vertex at its first: the ring of a polygon, whether or not the file
 /// repeats the first.
@@ -44,40 +44,42 @@ Line ring_of(Line line) {
   return closed(std::move(line));
 }
 
-/// Appends what `line` makes of lines, and rings of polygons, to `lines`; at least one.
-void collect(const Reading& read, const std::string& name, std::string_view can_hold,
-             const std::function<Line(Line)>& line, std::vector<Line>& lines) {
+/// Appends what `line` makes of lines, and rings of polygons, to `lines`; at least one. Returns the
+/// coordinate reference system.
+std::string collect(const Reading& read, const std::string& name, std::string_view can_hold,
+                    const std::function<Line(Line)>& line, std::vector<Line>& lines) {
   FeatureTaker taker;
   taker.can_hold = can_hold;
   taker.heights = true;
   taker.skips_empty = true;
   taker.line = [&](Line taken) { lines.push_back(line(std::move(taken))); };
   taker.ring = [&](Line ring, bool) { lines.push_back(closed(std::move(ring))); };
-  read(taker);
+  std::string crs = read(taker);
   if (lines.empty())
     throw InputError(fmt::format("{} holds nothing; {} are what it can hold", name, can_hold));
+  return crs;
 }
 
 Lines lines_of(const Reading& read, const std::string& name) {
   Lines lines{{}, name, "feature"};
-  collect(
+  lines.crs = collect(
       read, name, "lines and polygons", [](Line line) { return line; }, lines.lines);
   return lines;
 }
 
 Outline outline_of(const Reading& read, const std::string& name) {
   Outline outline{{}, name, "feature"};
-  collect(read, name, "polygons and closed lines", ring_of, outline.rings);
+  outline.crs = collect(read, name, "polygons and closed lines", ring_of, outline.rings);
   return outline;
 }
 
 Reading reading(const InputText& text) {
-  return [&text](const FeatureTaker& taker) { read_geojson(text, taker); };
+  return [&text](const FeatureTaker& taker) { return read_geojson(text, taker); };
 }
 
-Reading reading(const std::filesystem::path& path) {
-  return [&path, &format = format_for(path, Use::read_features)](const FeatureTaker& taker) {
-    format.read_features(path, taker);
+Reading reading(const std::filesystem::path& path, const std::string& layer) {
+  return [&, &format = format_for(path, Use::read_features)](const FeatureTaker& taker) {
+    return format.read_features(path, layer, taker);
   };
 }
 
@@ -91,12 +93,12 @@ Outline parse_outline(const InputText& text) {
   return outline_of(reading(text), text.name);
 }
 
-Lines read_lines(const std::filesystem::path& path) {
-  return lines_of(reading(path), display_name(path));
+Lines read_lines(const std::filesystem::path& path, const std::string& layer) {
+  return lines_of(reading(path, layer), display_name(path));
 }
 
-Outline read_outline(const std::filesystem::path& path) {
-  return outline_of(reading(path), display_name(path));
+Outline read_outline(const std::filesystem::path& path, const std::string& layer) {
+  return outline_of(reading(path, layer), display_name(path));
 }
 
 }  // namespace hodt

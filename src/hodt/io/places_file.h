@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "hodt/geometry/places.h"
 #include "hodt/io/input_text.h"
@@ -10,9 +11,9 @@ namespace hodt {
 
 /// Reads the points and polygons of a file of features (formats.h), single, multiple or collected;
 /// any other file, and "-", is a table that read_points() reads. Their parts are features (GeoJSON)
-/// or points (a table), numbered from 1. Throws FileError if the file cannot be read, InputError if
-/// it cannot be used or holds anything else, such as lines.
-Places read_places(const std::filesystem::path& path);
+/// or points (a table), numbered from 1. `layer` is as for read_lines(). Throws FileError if the
+/// file cannot be read, InputError if it cannot be used or holds anything else, such as lines.
+Places read_places(const std::filesystem::path& path, const std::string& layer = {});
 
 /// The same of GeoJSON in memory.
 Places parse_places(const InputText& text);

@@ -9,9 +9,10 @@
 namespace hodt {
 
 /// Reads points, in the order of their rows; "-" is standard input. Reads text tables (see
-/// docs/points.md), also packed with gzip. Every coordinate is finite and points.z is either as
-/// long as points.xy or empty. Throws FileError if the file cannot be read, InputError if it cannot
-/// be used, ParameterError if a chosen column is not there.
+/// docs/points.md) and LAS and LAZ, also packed with gzip. Every coordinate is finite and points.z
+/// is either as long as points.xy or empty. Throws FileError if the file cannot be read, InputError
+/// if it cannot be used, ParameterError if a chosen column is not there or a choice is for another
+/// kind of file.
 PointTable read_point_table(const std::filesystem::path& path, const PointChoice& choice = {});
 
 /// The same without the columns that were taken and without warnings.

@@ -2,20 +2,16 @@
 // Tested by tests/io/point_file_test.cpp.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hodt/geometry/point_set.h"
-#include "hodt/io/column_choice.h"
 #include "hodt/io/input_text.h"
+#include "hodt/io/point_choice.h"
 #include "hodt/io/table_layout.h"
 
 namespace hodt {
-
-/// What the user says of a file of points: how it is to be read.
-struct PointChoice {
-  ColumnChoice columns = {};  ///< of tables
-};
 
 /// Points, and how they were read.
 struct PointTable {

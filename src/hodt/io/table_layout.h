@@ -11,6 +11,7 @@
 
 #include "hodt/io/column_choice.h"
 #include "hodt/io/input_text.h"
+#include "hodt/io/las/las_reader.h"
 #include "hodt/io/table_sample.h"
 
 namespace hodt {
@@ -47,6 +48,9 @@ struct TakenColumn {
 struct TakenColumns {
   TakenColumn x, y;
   std::optional<TakenColumn> z;
+  std::optional<LasCounts> las;  ///< of a LAS file: which of its points
+  /// Of what is no table, where the coordinates are from instead: "x, y and z of layer 'spots'".
+  std::string source = {};
 };
 
 /// How sure it is which columns are the coordinates.

@@ -9,41 +9,11 @@
 
 #include "hodt/base/error.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/mesh/glued.h"
 #include "hodt/tin/boundary_edges.h"
 #include "hodt/tin/embedding.h"
 
 namespace hodt {
-
-namespace {
-
-/// The triangles as they are given, glued along their common edges.
-TriangleMesh glued(std::size_t vertices, std::span<const std::array<Index, 3>> triangles) {
-  Buffer<Index> origins(3 * triangles.size()), twins(3 * triangles.size(), kNone);
-  struct Side {
-    Index low, high, halfedge;
-    bool operator<(const Side& other) const {
-      return std::tie(low, high, halfedge) < std::tie(other.low, other.high, other.halfedge);
-    }
-  };
-  std::vector<Side> sides;
-  sides.reserve(origins.size());
-  for (Index t = 0; t < triangles.size(); ++t)
-    for (Index i = 0; i < 3; ++i) {
-      const Index from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-      origins[3 * t + i] = from;
-      sides.push_back({std::min(from, to), std::max(from, to), 3 * t + i});
-    }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const Side &a = sides[i - 1], &b = sides[i];
-    if (std::tie(a.low, a.high) != std::tie(b.low, b.high)) continue;
-    twins[a.halfedge] = b.halfedge;
-    twins[b.halfedge] = a.halfedge;
-  }
-  return {vertices, std::move(origins), std::move(twins)};
-}
-
-}  // namespace
 
 GivenTin given_tin(Tin tin) {
   const Embedding embedding = check_embedding(tin.points.xy, tin.triangles);
@@ -63,6 +33,7 @@ GivenTin given_tin(Tin tin) {
     given.points.xy.push_back(tin.points.xy[v]);
     if (tin.points.has_heights()) given.points.z.push_back(tin.points.z[v]);
   }
+  given.points.crs = std::move(tin.crs);
   given.unused_vertices = number.size() - next;
   for (auto& corners : tin.triangles)
     for (Index& v : corners) v = number[v];

@@ -129,24 +129,6 @@ double doubled_area(const Point& p, const Point& a, const Point& b) {
   return std::fabs((a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x));
 }
 
-/// The triangle contains p.
-double height_at(const PointSet& points, const Triangle& corners, const Point& p) {
-  const auto& [a, b, c] = corners;
-  const std::vector<Point>& xy = points.xy;
-  const double weights[3] = {doubled_area(p, xy[b], xy[c]), doubled_area(p, xy[c], xy[a]),
-                             doubled_area(p, xy[a], xy[b])};
-  // From the corner with the largest weight: there nothing is added, so nothing is rounded, and
-  // what is added elsewhere never leads beyond the other corners' heights.
-  const auto main = std::max_element(weights, weights + 3) - weights;
-  const double base = points.z[corners[main]];
-  const double sum = weights[0] + weights[1] + weights[2];
-  double rise = 0;
-  for (int i = 0; i < 3; ++i) rise += weights[i] * (points.z[corners[i]] - base);
-  // The area of a needle can round to nothing, that of a giant overflow.
-  if (!(sum > 0) || !std::isfinite(sum) || !std::isfinite(rise)) return base;
-  return base + rise / sum;
-}
-
 }  // namespace
 
 std::vector<Index> triangles_at(const Tin& tin, std::span<const Point> places) {
@@ -164,12 +146,31 @@ std::vector<Index> triangles_at(const Tin& tin, std::span<const Point> places) {
   return triangles;
 }
 
+double height_in(const PointSet& points, const std::array<Index, 3>& corners, const Point& p) {
+  const auto& [a, b, c] = corners;
+  const std::vector<Point>& xy = points.xy;
+  for (const Index v : corners)
+    if (p == xy[v]) return points.z[v];
+  const double weights[3] = {doubled_area(p, xy[b], xy[c]), doubled_area(p, xy[c], xy[a]),
+                             doubled_area(p, xy[a], xy[b])};
+  // From the corner with the largest weight: there nothing is added, so nothing is rounded, and
+  // what is added elsewhere never leads beyond the other corners' heights.
+  const auto main = std::max_element(weights, weights + 3) - weights;
+  const double base = points.z[corners[main]];
+  const double sum = weights[0] + weights[1] + weights[2];
+  double rise = 0;
+  for (int i = 0; i < 3; ++i) rise += weights[i] * (points.z[corners[i]] - base);
+  // The area of a needle can round to nothing, that of a giant overflow.
+  if (!(sum > 0) || !std::isfinite(sum) || !std::isfinite(rise)) return base;
+  return base + rise / sum;
+}
+
 std::vector<double> interpolate(const Tin& tin, std::span<const Point> places) {
   const std::vector<Index> triangles = triangles_at(tin, places);
   std::vector<double> heights(places.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < places.size(); ++i)
     if (triangles[i] != kNone)
-      heights[i] = height_at(tin.points, tin.triangles[triangles[i]], places[i]);
+      heights[i] = height_in(tin.points, tin.triangles[triangles[i]], places[i]);
   return heights;
 }
 

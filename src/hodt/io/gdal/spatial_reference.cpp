@@ -1,0 +1,93 @@
+#include "hodt/io/gdal/spatial_reference.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "hodt/io/gdal/crs_facts.h"
+
+namespace hodt {
+
+namespace {
+
+struct DestroyReference {
+  void operator()(OGRSpatialReferenceH reference) const {
+    gdal().OSRDestroySpatialReference(reference);
+  }
+};
+using Reference = std::unique_ptr<std::remove_pointer_t<OGRSpatialReferenceH>, DestroyReference>;
+
+/// nullptr if there is no such system.
+Reference reference_of(const std::string& crs) {
+  GdalErrors errors;
+  Reference reference(gdal().OSRNewSpatialReference(nullptr));
+  const bool known = gdal().OSRSetFromUserInput(reference.get(), crs.c_str()) == OGRERR_NONE;
+  return known ? std::move(reference) : nullptr;
+}
+
+bool has_heights(OGRSpatialReferenceH reference) {
+  return gdal().OSRIsCompound(reference) || gdal().OSRGetAxesCount(reference) > 2;
+}
+
+void drop_heights(OGRSpatialReferenceH reference) {
+  if (gdal().OSRIsCompound(reference)) gdal().OSRStripVertical(reference);
+  gdal().OSRDemoteTo2D(reference, nullptr);
+}
+
+std::string text_or_empty(const char* text) {
+  return text ? text : "";
+}
+
+std::string wkt_of(OGRSpatialReferenceH reference) {
+  constexpr const char* options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+  char* wkt = nullptr;
+  const bool done = gdal().OSRExportToWktEx(reference, &wkt, options) == OGRERR_NONE;
+  std::string text = done ? text_or_empty(wkt) : "";
+  gdal().VSIFree(wkt);
+  return text;
+}
+
+}  // namespace
+
+std::string crs_text(OGRSpatialReferenceH reference) {
+  if (!reference) return {};
+  GdalErrors errors;
+  const std::string authority = text_or_empty(gdal().OSRGetAuthorityName(reference, nullptr));
+  const std::string code = text_or_empty(gdal().OSRGetAuthorityCode(reference, nullptr));
+  return authority.empty() || code.empty() ? wkt_of(reference)
+                                           : fmt::format("{}:{}", authority, code);
+}
+
+std::optional<CrsFacts> crs_facts(const std::string& crs) {
+  const Reference reference = reference_of(crs);
+  if (!reference) return std::nullopt;
+  GdalErrors errors;
+  CrsFacts facts;
+  facts.text = crs_text(reference.get());
+  facts.name = text_or_empty(gdal().OSRGetName(reference.get()));
+  facts.is_geographic = gdal().OSRIsGeographic(reference.get()) != 0;
+  char* unit = nullptr;
+  facts.unit = gdal().OSRGetLinearUnits(reference.get(), &unit);
+  facts.unit_name = text_or_empty(unit);
+  if (gdal().OSRIsCompound(reference.get())) {
+    facts.height_unit = gdal().OSRGetTargetLinearUnits(reference.get(), "VERT_CS", &unit);
+    facts.height_unit_name = text_or_empty(unit);
+  }
+  return facts;
+}
+
+bool are_equal_crs(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  const Reference first = reference_of(a), second = reference_of(b);
+  if (!first || !second) return false;
+  GdalErrors errors;
+  // Outlines need no heights, so their system need not tell of them.
+  if (has_heights(first.get()) != has_heights(second.get()))
+    for (const Reference* reference : {&first, &second}) drop_heights(reference->get());
+  constexpr const char* options[] = {"CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS",
+                                     "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
+                                     "IGNORE_COORDINATE_EPOCH=YES", nullptr};
+  return gdal().OSRIsSameEx(first.get(), second.get(), options) != 0;
+}
+
+}  // namespace hodt

@@ -1,0 +1,198 @@
+#include "hodt/io/gdal/writers.h"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "hodt/base/error.h"
+#include "hodt/base/printable.h"
+#include "hodt/io/crs_name.h"
+#include "hodt/io/feature_file.h"
+#include "hodt/io/gdal/api.h"
+#include "hodt/io/gdal/dataset.h"
+#include "hodt/io/well_known_binary.h"
+
+namespace hodt {
+
+namespace {
+
+template <auto release>
+struct Release {
+  void operator()(void* handle) const { (gdal().*release)(handle); }
+};
+template <auto release>
+using Owned = std::unique_ptr<void, Release<release>>;
+using Reference = Owned<&GdalFunctions::OSRRelease>;
+using OwnedFeature = Owned<&GdalFunctions::OGR_F_Destroy>;
+using OwnedField = Owned<&GdalFunctions::OGR_Fld_Destroy>;
+
+/// Of text that GDAL understands. x and y are what they always are to those who draw maps.
+Reference understood(const std::string& crs) {
+  GdalErrors errors;
+  Reference reference(gdal().OSRNewSpatialReference(nullptr));
+  if (gdal().OSRSetFromUserInput(reference.get(), crs.c_str()) != OGRERR_NONE) return nullptr;
+  gdal().OSRSetAxisMappingStrategy(reference.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  return reference;
+}
+
+/// Also of text of which GDAL understands its code alone; nullptr if it understands nothing.
+Reference reference_of(const std::string& crs) {
+  if (Reference reference = understood(crs)) return reference;
+  const std::optional<CrsCode> code = crs_code(crs);
+  return code ? understood(fmt::format("{}:{}", code->authority, code->number)) : nullptr;
+}
+
+/// Also of other text: nothing is lost, even if nobody understands it.
+Reference reference_or_name(const std::string& crs) {
+  if (crs.empty()) return nullptr;
+  if (Reference reference = reference_of(crs)) return reference;
+  GdalErrors errors;
+  Reference reference(gdal().OSRNewSpatialReference(nullptr));
+  gdal().OSRSetLocalCS(reference.get(), printable(crs).c_str());
+  return reference;
+}
+
+/// How a format is made.
+struct Making {
+  const char* driver;
+  std::vector<const char*> layer_options;  ///< the last one is nullptr
+  /// Of the files beside the first one.
+  std::string_view companions;
+};
+
+OGRwkbGeometryType type_of(const FeatureLayer& layer) {
+  constexpr OGRwkbGeometryType types[] = {wkbPoint, wkbLineString, wkbPolygon};
+  constexpr OGRwkbGeometryType with_heights[] = {wkbPoint25D, wkbLineString25D, wkbPolygon25D};
+  return (layer.has_heights ? with_heights : types)[static_cast<int>(layer.geometry)];
+}
+
+OGRFieldType type_of(FieldType type) {
+  switch (type) {
+    case FieldType::integer:
+      return OFTInteger64;
+    case FieldType::real:
+      return OFTReal;
+    case FieldType::text:
+      return OFTString;
+  }
+  return OFTString;
+}
+
+class LayerWriter {
+ public:
+  LayerWriter(const FeatureLayer& layer, const std::filesystem::path& shown, const Making& making)
+      : layer_(layer), shown_(shown), making_(making) {}
+
+  void write(const std::filesystem::path& path) {
+    const Reference reference = reference_or_name(layer_.crs);
+    GDALDriverH driver = gdal().GDALGetDriverByName(making_.driver);
+    if (driver == nullptr)
+      throw ParameterError(fmt::format("cannot write {}: this GDAL has no driver {}",
+                                       shown_.string(), making_.driver));
+    Dataset dataset(gdal().GDALCreate(driver, path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    if (!dataset) fail();
+    OGRLayerH to = gdal().GDALDatasetCreateLayer(dataset.get(), layer_name(layer_, shown_).c_str(),
+                                                 reference.get(), type_of(layer_),
+                                                 const_cast<char**>(making_.layer_options.data()));
+    if (to == nullptr) fail();
+    create_fields(to);
+    create_features(to);
+    dataset.reset();  // what is left is written now
+    if (const std::string error = errors_.take(); !error.empty()) fail(error);
+  }
+
+ private:
+  [[noreturn]] void fail() { fail(errors_.take()); }
+  [[noreturn]] void fail(const std::string& why) {
+    throw FileError(fmt::format("cannot write {}: {}", shown_.string(), why));
+  }
+
+  void create_fields(OGRLayerH to) {
+    for (const Field& field : layer_.fields) {
+      const OwnedField definition(gdal().OGR_Fld_Create(field.name.c_str(), type_of(field.type)));
+      if (gdal().OGR_L_CreateField(to, definition.get(), TRUE) != OGRERR_NONE) fail();
+    }
+  }
+
+  void create_features(OGRLayerH to) {
+    const OGRFeatureDefnH definition = gdal().OGR_L_GetLayerDefn(to);
+    const WellKnownBinary binary(layer_);
+    LayerFeature feature;
+    std::string bytes;
+    feature.values.resize(layer_.fields.size());
+    for (std::size_t i = 0; i < layer_.count; ++i) {
+      layer_.make(i, feature);
+      bytes.clear();
+      binary.append(bytes, feature);
+      const OwnedFeature made(gdal().OGR_F_Create(definition));
+      OGRGeometryH geometry = nullptr;
+      if (gdal().OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry,
+                                     static_cast<int>(bytes.size())) != OGRERR_NONE)
+        fail();
+      gdal().OGR_F_SetGeometryDirectly(made.get(), geometry);
+      for (int field = 0; field < static_cast<int>(feature.values.size()); ++field)
+        set_value(made.get(), field, feature.values[static_cast<std::size_t>(field)]);
+      if (gdal().OGR_L_CreateFeature(to, made.get()) != OGRERR_NONE) fail();
+    }
+  }
+
+  static void set_value(OGRFeatureH feature, int field, const FieldValue& value) {
+    if (const auto* const whole = std::get_if<std::int64_t>(&value))
+      return gdal().OGR_F_SetFieldInteger64(feature, field, *whole);
+    if (const auto* const real = std::get_if<double>(&value); real && std::isfinite(*real))
+      return gdal().OGR_F_SetFieldDouble(feature, field, *real);
+    if (const auto* const words = std::get_if<std::string>(&value))
+      return gdal().OGR_F_SetFieldString(feature, field, words->c_str());
+    gdal().OGR_F_SetFieldNull(feature, field);
+  }
+
+  const FeatureLayer& layer_;
+  const std::filesystem::path& shown_;
+  const Making& making_;
+  GdalErrors errors_;
+};
+
+void write_layer(const FeatureLayer& layer, OutputFile& file, const Making& making) {
+  file.fill_by_name(
+      [&](const std::filesystem::path& path) {
+        LayerWriter(layer, file.path(), making).write(path);
+      },
+      making.companions);
+}
+
+}  // namespace
+
+void write_flatgeobuf(const FeatureLayer& layer, OutputFile& file) {
+  write_layer(layer, file, {"FlatGeobuf", {nullptr}, {}});
+}
+
+void write_shapefile(const FeatureLayer& layer, OutputFile& file) {
+  if (!file.is_replaced())
+    throw ParameterError(
+        fmt::format("cannot write {}: a shapefile is several files, which only a folder can hold",
+                    file.path().string()));
+  write_layer(layer, file,
+              {"ESRI Shapefile",
+               {"ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2000-01-01", nullptr},
+               ".shx .dbf .prj .cpg .qix .sbn .sbx .idm .ind .qpj"});
+}
+
+std::string crs_definition(const std::string& crs) {
+  const Reference reference = reference_of(crs);
+  if (!reference) return {};
+  GdalErrors errors;
+  constexpr const char* options[] = {"FORMAT=WKT1_GDAL", nullptr};
+  char* text = nullptr;
+  const bool done = gdal().OSRExportToWktEx(reference.get(), &text, options) == OGRERR_NONE;
+  const std::string definition = done && text != nullptr ? text : "";
+  gdal().VSIFree(text);
+  return definition;
+}
+
+}  // namespace hodt

@@ -1,0 +1,102 @@
+// What a GeoPackage holds beside its features, looked at by Python's sqlite3.
+#include "hodt/io/geopackage.h"
+
+#include <cstdlib>
+#include <string>
+
+#include "ogr.h"
+#include "sample_tins.h"
+#include "temporary_directory.h"
+#include <gtest/gtest.h>
+
+#include "hodt/io/tin_file.h"
+
+namespace hodt {
+namespace {
+
+using test::TemporaryDirectory;
+
+/// What the standard asks for, and an index whose boxes are those of the geometries.
+constexpr const char* kLook = R"(
+import sqlite3, struct, sys
+database = sqlite3.connect(sys.argv[1])
+def values(query): return [row[0] if len(row) == 1 else row for row in database.execute(query)]
+def name(text): return '"' + text.replace('"', '""') + '"'
+assert values("PRAGMA application_id") == [0x47504B47]
+assert values("PRAGMA user_version") == [10300]
+assert values("PRAGMA integrity_check") == ["ok"]
+assert values("PRAGMA foreign_key_check") == []
+(table, kind, min_x, min_y, max_x, max_y, crs), = values(
+    "SELECT table_name, data_type, min_x, min_y, max_x, max_y, srs_id FROM gpkg_contents")
+assert kind == "features"
+(column, geometry, own_crs, z, m), = values(
+    "SELECT column_name, geometry_type_name, srs_id, z, m FROM gpkg_geometry_columns")
+assert own_crs == crs and (z, m) == (1, 0) and geometry == "POLYGON"
+assert {-1, 0, 4326, crs} == set(values("SELECT srs_id FROM gpkg_spatial_ref_sys"))
+assert values("SELECT extension_name, scope FROM gpkg_extensions") == [("gpkg_rtree_index", "write-only")]
+rtree = "rtree_%s_%s" % (table, column)
+assert values("SELECT rtreecheck('%s')" % rtree.replace("'", "''")) == ["ok"]
+
+def box(blob):
+    assert blob[:4] == b"GP\x00\x03", blob[:4]
+    assert struct.unpack_from("<i", blob, 4) == (crs,)
+    return struct.unpack_from("<4d", blob, 8)
+def corners(blob):
+    order, kind, rings, count = struct.unpack_from("<BIII", blob, 40)
+    assert (order, kind, rings, count) == (1, 1003, 1, 4)
+    return [struct.unpack_from("<3d", blob, 53 + 24 * i) for i in range(count)]
+boxes = {}
+for fid, blob in values("SELECT fid, %s FROM %s" % (column, name(table))):
+    x, y, _ = zip(*corners(blob))
+    boxes[fid] = box(blob)
+    assert boxes[fid] == (min(x), max(x), min(y), max(y))
+assert sorted(boxes) == list(range(1, len(boxes) + 1))
+all = list(zip(*boxes.values()))
+assert (min_x, max_x, min_y, max_y) == (min(all[0]), max(all[1]), min(all[2]), max(all[3]))
+index = {row[0]: row[1:] for row in values("SELECT * FROM " + name(rtree))}
+assert index.keys() == boxes.keys()
+for fid, (x0, x1, y0, y1) in boxes.items():
+    a0, a1, b0, b1 = index[fid]
+    assert a0 <= x0 and x1 <= a1 and b0 <= y0 and y1 <= b1
+    assert max(x0 - a0, a1 - x1) <= 0.07 and max(y0 - b0, b1 - y1) <= 0.6, "single precision"
+#The triggers, with functions as a GIS has them.
+for i, function in enumerate(["ST_MinX", "ST_MaxX", "ST_MinY", "ST_MaxY"]):
+    database.create_function(function, 1, lambda blob, i=i: box(blob)[i])
+database.create_function("ST_IsEmpty", 1, lambda blob: 0)
+middle = (min_x + max_x) / 2, (min_y + max_y) / 2
+inside = "SELECT id FROM %s WHERE minx <= %r AND maxx >= %r AND miny <= %r AND maxy >= %r" % (
+    name(rtree), middle[0], middle[0], middle[1], middle[1])
+there = values(inside)
+assert there
+for fid in there: database.execute("DELETE FROM %s WHERE fid = %d" % (name(table), fid))
+assert values(inside) == []
+blob, = values("SELECT %s FROM %s WHERE fid = %d" % (column, name(table), min(set(boxes) - set(there))))
+new = database.execute("INSERT INTO %s (%s) VALUES (?)" % (name(table), column), (blob,)).lastrowid
+assert new == len(boxes) + 1, new
+assert len(values("SELECT id FROM %s WHERE id = %d" % (name(rtree), new))) == 1
+database.execute("UPDATE %s SET fid = fid + 5 WHERE fid = %d" % (name(table), new))
+assert len(values("SELECT id FROM %s WHERE id = %d" % (name(rtree), new + 5))) == 1
+database.execute("UPDATE %s SET %s = NULL WHERE fid = %d" % (name(table), column, new + 5))
+assert values("SELECT id FROM %s WHERE id = %d" % (name(rtree), new + 5)) == []
+assert values("SELECT rtreecheck('%s')" % rtree.replace("'", "''")) == ["ok"]
+)";
+
+TEST(GeoPackage, IsAsTheStandardWants) {
+  if (std::system("python3 -c 'import sqlite3' 2>/dev/null") != 0)
+    GTEST_SKIP() << "needs Python's sqlite3";
+  const TemporaryDirectory directory;
+  const auto script = directory.file("look.py", kLook);
+  // Of one node, of two levels, of three; the names need quotes.
+  for (const std::size_t points : {10, 100, 3000})
+    for (const char* name : {"a", "gpkg_a", "a \"b\" \xc3\xb6; select"}) {
+      const auto path = directory / (std::string(name) + ".gpkg");
+      write_tin(test::survey(points), path);
+      const std::string quoted = "'" + path.string() + "'";
+      EXPECT_EQ(test::printed_by("python3 '" + script.string() + "' " + quoted + " 2>&1 || echo x"),
+                "")
+          << name << ' ' << points;
+    }
+}
+
+}  // namespace
+}  // namespace hodt
