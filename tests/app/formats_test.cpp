@@ -67,12 +67,14 @@ TEST_F(Formats, OfSinglePrecisionWarnOnce) {
 /// The orders in the file are those that the report counts.
 TEST_F(Formats, KeepOrdersOfTriangles) {
   ASSERT_EQ(shell("HODT sample valley -n 3000 -o valley.csv").exit_code, 0);
-  ASSERT_EQ(run("triangulate valley.csv -k 4 -o a.ply --json report.json").exit_code, 0);
-  std::vector<std::size_t> histogram;
-  const std::string ply = content_of(directory_ / "a.ply");
+  ASSERT_EQ(run("triangulate valley.csv -k 4 -o a.vtu --json report.json").exit_code, 0);
+  const std::string vtu = content_of(directory_ / "a.vtu");
   const std::size_t triangles = json("report.json")["triangles"];
+  // The orders, four bytes each, stand before the last array, of a byte each and its length.
+  const std::size_t begin = vtu.rfind("\n</AppendedData>") - triangles - 8 - 4 * triangles;
+  std::vector<std::size_t> histogram;
   for (std::size_t t = 0; t < triangles; ++t) {
-    const auto order = static_cast<unsigned char>(ply[ply.size() - 17 * (triangles - t) + 13]);
+    const auto order = static_cast<unsigned char>(vtu[begin + 4 * t]);
     if (histogram.size() <= order) histogram.resize(order + 1u);
     ++histogram[order];
   }

@@ -65,11 +65,11 @@ TEST(Netcdf, FollowsTheGrammar) {
   content.dimensions = {{"five", 5}, {"two", 2}};
   content.attributes = {{"title", "abcde"}};
   content.variables = {
-      {"bytes",
-       NetcdfType::int8,
+      {"numbers",
+       NetcdfType::int32,
        {0},
        {},
-       [](std::size_t i, char* to) { return put_big(to, std::int8_t(i - 1)); }},
+       [](std::size_t i, char* to) { return put_big(to, std::int32_t(i) - 1); }},
       {"pairs",
        NetcdfType::float64,
        {0, 1},
@@ -99,7 +99,7 @@ TEST(Netcdf, FollowsTheGrammar) {
     std::vector<std::uint32_t> dimensions;
     std::map<std::string, std::string> attributes;
     std::uint32_t type, size;
-  } expected[] = {{"bytes", {0}, {}, 1, 8},
+  } expected[] = {{"numbers", {0}, {}, 4, 20},
                   {"pairs", {0, 1}, {{"empty", ""}, {"minus", "-7"}}, 6, 80},
                   {"one", {}, {}, 4, 4}};
   for (const auto& variable : expected) {
@@ -112,7 +112,7 @@ TEST(Netcdf, FollowsTheGrammar) {
     begins.push_back(reader.number<std::uint64_t>());
   }
   EXPECT_EQ(begins[0], reader.place());
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(std::int8_t(reader.number<std::uint8_t>()), i - 1);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(std::int32_t(reader.number<std::uint32_t>()), i - 1);
   reader.go(begins[1]);
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(std::bit_cast<double>(reader.number<std::uint64_t>()), double(i) / 3);

@@ -81,7 +81,7 @@ constexpr Format kFormats[] = {
      .keeps = {.heights = true, .crs = true}},
     {.name = "PLY", .extensions = ".ply", .can_be_packed = true,
      .read_tin = read_mesh<parse_ply>, .write_tin = write_ply,
-     .keeps = {.heights = true, .crs = true, .order = true}},
+     .keeps = {.heights = true, .crs = true}},
     {.name = "VTU", .extensions = ".vtu",
      .write_tin = write_vtu, .keeps = {.heights = true, .crs = true, .order = true}},
     {.name = "UGRID netCDF", .extensions = ".nc",

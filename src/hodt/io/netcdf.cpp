@@ -15,20 +15,13 @@ namespace {
 
 // Tags of the header's lists.
 constexpr std::uint32_t kDimensions = 10, kVariables = 11, kAttributes = 12;
-/// Everything is padded to a multiple of this.
+/// The type of attributes that are text.
+constexpr std::uint32_t kText = 2;
+/// Text is padded to a multiple of this.
 constexpr std::size_t kUnit = 4;
 
 std::size_t size_of(NetcdfType type) {
-  switch (type) {
-    case NetcdfType::int8:
-    case NetcdfType::text:
-      return 1;
-    case NetcdfType::int32:
-      return 4;
-    case NetcdfType::float64:
-      return 8;
-  }
-  return 0;
+  return type == NetcdfType::float64 ? 8 : 4;
 }
 
 std::size_t padded(std::size_t size) {
@@ -83,7 +76,7 @@ class Header {
     for (const NetcdfAttribute& attribute : attributes) {
       add_text(attribute.name);
       if (const auto* text = std::get_if<std::string>(&attribute.value)) {
-        add(NetcdfType::text);
+        add(kText);
         add_text(*text);
       } else {
         add(NetcdfType::int32);
@@ -121,7 +114,7 @@ std::string header_of(const NetcdfContent& content, std::size_t begin) {
     for (const std::size_t dimension : variable.dimensions) header.add_size(dimension);
     header.add(variable.attributes);
     header.add(variable.type);
-    const std::size_t size = padded(bytes_of(content, variable));
+    const std::size_t size = bytes_of(content, variable);
     header.add_size(size);
     header.add_offset(begin);
     begin += size;
@@ -138,7 +131,6 @@ void write_netcdf(const NetcdfContent& content, OutputFile& file) {
   for (const NetcdfVariable& variable : content.variables) {
     const auto [records, bytes] = shape_of(content, variable);
     write_records(file, records, bytes, variable.put);
-    file.write(std::string(padded(records * bytes) - records * bytes, '\0'));
   }
 }
 

@@ -26,7 +26,7 @@ struct NetcdfDimension {
   std::size_t size = 0;
 };
 
-enum class NetcdfType : std::uint32_t { int8 = 1, text = 2, int32 = 4, float64 = 6 };
+enum class NetcdfType : std::uint32_t { int32 = 4, float64 = 6 };
 
 struct NetcdfVariable {
   std::string name;

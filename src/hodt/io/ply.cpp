@@ -469,10 +469,10 @@ std::string header_of(const Tin& tin) {
   return fmt::format(
       "ply\nformat binary_little_endian 1.0\n{}{}{}"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-      "element face {}\nproperty list uchar {} vertex_indices\n{}end_header\n",
+      "element face {}\nproperty list uchar {} vertex_indices\nend_header\n",
       tin.crs.empty() ? "" : kCrsComment, in_ascii(in_one_line(tin.crs)),
       tin.crs.empty() ? "" : "\n", tin.points.size(), tin.triangles.size(),
-      fits_int ? "int" : "uint", tin.order.empty() ? "" : "property int order\n");
+      fits_int ? "int" : "uint");
 }
 
 }  // namespace
@@ -493,6 +493,7 @@ Tin parse_ply(const InputText& input) {
   return BodyParser(input, header, BinarySource(header.body, input.end(), swap)).parse();
 }
 
+// Faces have nothing but their corners: meshio, for one, reads no binary file where they have more.
 void write_ply(const Tin& tin, OutputFile& file) {
   const PointSet& points = tin.points;
   file.write(header_of(tin));
@@ -501,11 +502,11 @@ void write_ply(const Tin& tin, OutputFile& file) {
     to = put_little(to, points.xy[i].y);
     return put_little(to, height_or_zero(points, i));
   });
-  constexpr std::size_t longest = 1 + 4 * sizeof(Index);
+  constexpr std::size_t longest = 1 + 3 * sizeof(Index);
   write_records(file, tin.triangles.size(), longest, [&](std::size_t t, char* to) {
     to = put_little(to, std::uint8_t{3});
     for (const Index corner : tin.triangles[t]) to = put_little(to, corner);
-    return tin.order.empty() ? to : put_little(to, tin.order[t]);
+    return to;
   });
 }
 

@@ -18,8 +18,7 @@ bool is_ply(const InputText& input);
 /// Throws InputError, naming the header's line or the vertex or face (counted from 0).
 Tin parse_ply(const InputText& input);
 
-/// Writes binary PLY, little-endian, coordinates as doubles; faces with their order, where it is
-/// known.
+/// Writes binary PLY, little-endian, coordinates as doubles.
 void write_ply(const Tin& tin, OutputFile& file);
 
 }  // namespace hodt

@@ -103,12 +103,13 @@ void add_faces(const Tin& tin, NetcdfContent& content) {
        {kFaces},
        located(tin, "face", {{"long_name", "order"}}),
        [&tin](std::size_t t, char* to) { return put_big(to, tin.order[t]); }});
+  // Not a byte: QGIS takes none as data of faces.
   content.variables.push_back({"changed",
-                               NetcdfType::int8,
+                               NetcdfType::int32,
                                {kFaces},
                                located(tin, "face", {{"long_name", "changed"}}),
                                [&tin](std::size_t t, char* to) {
-                                 return put_big(to, static_cast<std::int8_t>(tin.is_changed(t)));
+                                 return put_big(to, static_cast<std::int32_t>(tin.is_changed(t)));
                                }});
 }
 

@@ -20,15 +20,14 @@ constexpr std::uint8_t kTriangle = 5;
 /// The XML, and the size of what it says will follow.
 class Announcement {
  public:
-  /// An array of `count` records of so many numbers each.
+  /// An array of `count` numbers.
   template <class T>
   std::string array(std::string_view type, std::string_view name, std::size_t count,
-                    std::size_t numbers = 1) {
-    std::string text = fmt::format(
-        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
-        "offset=\"{}\"/>\n",
-        type, name, numbers, offset_);
-    offset_ += sizeof(std::uint64_t) + count * numbers * sizeof(T);
+                    std::string_view attributes = {}) {
+    std::string text =
+        fmt::format("<DataArray type=\"{}\" Name=\"{}\"{} format=\"appended\" offset=\"{}\"/>\n",
+                    type, name, attributes, offset_);
+    offset_ += sizeof(std::uint64_t) + count * sizeof(T);
     return text;
   }
 
@@ -56,9 +55,9 @@ std::string header_of(const Tin& tin) {
   text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", points, triangles);
   // One after the other, as each tells the next its offset.
   text += "<Points>\n";
-  text += next.array<double>("Float64", "Points", points, 3);
+  text += next.array<double>("Float64", "Points", 3 * points, " NumberOfComponents=\"3\"");
   text += "</Points>\n<Cells>\n";
-  text += next.array<std::int64_t>("Int64", "connectivity", triangles, 3);
+  text += next.array<std::int64_t>("Int64", "connectivity", 3 * triangles);
   text += next.array<std::int64_t>("Int64", "offsets", triangles);
   text += next.array<std::uint8_t>("UInt8", "types", triangles);
   text += "</Cells>\n<PointData>\n";
