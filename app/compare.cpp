@@ -214,6 +214,7 @@ Json comparison_json(const Comparison& comparison, const InputPoints& read) {
           {"columns", columns_json(read)},
           {"crs", crs_json(read.crs)},
           {"duplicates", comparison.duplicates},
+          {"duplicate_rule", name_of(read.rule)},
           {"duplicate_heights", heights_json(comparison.duplicate_heights)},
           {"kept", comparison.kept ? Json(*comparison.kept) : Json(nullptr)},
           {"polygons_without_points", comparison.empty_polygons},

@@ -24,8 +24,7 @@ std::string dropped_text(std::size_t duplicates, const std::optional<DuplicateHe
 
 Json heights_json(const std::optional<DuplicateHeights>& heights) {
   if (!heights) return nullptr;
-  return {{"rule", name_of(heights->rule)},
-          {"different", heights->different},
+  return {{"different", heights->different},
           {"largest_difference", to_json(heights->largest_difference)}};
 }
 

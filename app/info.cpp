@@ -75,10 +75,9 @@ Findings examine(const InputPoints& read) {
     findings.hints.push_back("all points lie on a line: there is no triangle");
   }
   if (findings.distinct < findings.points) {
-    const DuplicateRule rule = read.duplicates ? read.duplicates->rule : DuplicateRule::lowest;
     findings.hints.push_back(fmt::format(
         "of points with equal x and y, {} stays",
-        rule == DuplicateRule::mean ? "one of the mean height" : "the " + name_of(rule)));
+        read.rule == DuplicateRule::mean ? "one of the mean height" : "the " + name_of(read.rule)));
     if (const std::string text = difference_text(findings.duplicate_heights); !text.empty())
       findings.hints.push_back("of points with equal x and y, " + text);
   }
@@ -96,6 +95,7 @@ Json findings_json(const Findings& findings, const InputPoints& read) {
   return {{"points", findings.points},
           {"distinct", findings.distinct},
           {"duplicates", findings.points - findings.distinct},
+          {"duplicate_rule", name_of(read.rule)},
           {"duplicate_heights", heights_json(findings.duplicate_heights)},
           {"x", to_json(findings.x)},
           {"y", to_json(findings.y)},

@@ -129,9 +129,10 @@ void finish(const PointsInput& input, InputPoints& read) {
   read.crs = read.points.crs;
   for (const std::string& warning : crs_warnings(read.points.crs))
     read.warnings.push_back({display_name(input.name()), warning});
-  const DuplicateRule rule = rule_of(input);
-  if (rule != DuplicateRule::lowest)
-    read.duplicates = naming(input.name(), [&] { return settle_duplicates(read.points, rule); });
+  read.rule = rule_of(input);
+  if (read.rule != DuplicateRule::lowest)
+    read.duplicates =
+        naming(input.name(), [&] { return settle_duplicates(read.points, read.rule); });
 }
 
 void add_las_options(CLI::App& command, PointsInput& input) {

@@ -60,6 +60,7 @@ struct InputPoints {
     std::string file, text;
   };
   std::vector<Warning> warnings;
+  DuplicateRule rule = DuplicateRule::lowest;
   /// Empty if the lowest height counts: the triangulation tells these.
   std::optional<DuplicateHeights> duplicates;
 };

@@ -99,10 +99,10 @@ TEST_F(ColumnsCommand, of_the_truth_are_chosen_apart) {
 }
 
 TEST_F(ColumnsCommand, other_formats_are_called_by_name) {
-  put("grid.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n");
+  put("grid.txt", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n");
   put("mesh.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n");
   for (const char* command : kCommands) {
-    expect_refused(with(command, "grid.asc"), "grid.asc is a raster (ESRI ASCII grid)");
+    expect_refused(with(command, "grid.txt"), "grid.txt is a raster (ESRI ASCII grid)");
     // One that can be improved is no error, but this one holds nothing.
     const bool takes_meshes = std::string_view(command).starts_with("triangulate");
     expect_refused(with(command, "mesh.ply"), takes_meshes ? "mesh.ply has vertices without x and y"

@@ -122,6 +122,16 @@ TEST_F(GdalTest, GeoJsonThatIsNoDegreesIsOfAnUnknownSystem) {
   EXPECT_EQ(read_points(directory_ / "q.geojson").crs, "EPSG:25832");
 }
 
+TEST_F(GdalTest, LayersMayNotKnowTheirSystem) {
+  for (const char* format : {"GPKG", "ESRI Shapefile", "FlatGeobuf"}) {
+    const std::string file = std::string("p.") + (format[0] == 'G'   ? "gpkg"
+                                                  : format[0] == 'E' ? "shp"
+                                                                     : "fgb");
+    layer(format, file, "p", kTable, "-dim XYZ");
+    EXPECT_EQ(read_points(directory_ / file).crs, "") << format;
+  }
+}
+
 TEST_F(GdalTest, HeightsOfAFieldCount) {
   layer("GPKG", "p.gpkg", "p", kTable);
   EXPECT_EQ(read("p.gpkg", of_layer({.z_field = "Höhe m"})),

@@ -19,7 +19,7 @@ constexpr std::string_view kMesh =
     "a mesh; 'hodt check' looks at OBJ and PLY meshes; export the vertices as a table x,y,z";
 constexpr std::string_view kRaster =
     "a raster; hodt reads rasters by their extensions, .tif, .asc, .nc and others: name it so, "
-    "unpacked, or make it a GeoTIFF with gdal_translate";
+    "unpacked, or write its cells as points, with gdal_translate -of XYZ for example";
 constexpr std::string_view kVector =
     "map features; hodt reads them by their extensions, .gpkg, .shp, .fgb, .geojson and others: "
     "name it so, unpacked, or make it a GeoPackage with ogr2ogr";

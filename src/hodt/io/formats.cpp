@@ -158,18 +158,21 @@ std::string extension_of(const std::filesystem::path& path, Use use) {
 
 std::string known_extensions(Use use) {
   std::string known;
-  bool packed = may_be_packed(use);
+  std::string packed;  // of them, those that may be
+  const auto add = [](std::string_view extensions, std::string& list) {
+    if (!list.empty()) list += ", ";
+    for (const char c : extensions) {
+      if (c == ' ') list += ',';
+      list += c;
+    }
+  };
   for (const Format& format : kFormats) {
     if (!can(format, use)) continue;
-    for (const char c : format.extensions) {
-      if (c == ' ') known += ',';
-      known += c;
-    }
-    known += ", ";
-    packed = packed && format.can_be_packed;
+    add(format.extensions, known);
+    if (format.can_be_packed) add(format.extensions, packed);
   }
-  known.resize(known.size() - 2);
-  return packed ? known + ", each also with .gz" : known;
+  if (!may_be_packed(use) || packed.empty()) return known;
+  return known + ", " + (packed == known ? "each" : packed) + " also with .gz";
 }
 
 std::string_view doing(Use use) {

@@ -23,7 +23,7 @@ constexpr std::size_t kRowsAtOnce = 256;
 template <class Value, class Values>
 void write_rows(const Tin& tin, const Grid& grid, double no_data, OutputFile& file,
                 const Values& values) {
-  file.fill([&](const std::filesystem::path& path) {
+  file.fill_by_name([&](const std::filesystem::path& path) {
     RasterWriter writer(path, grid, tin.crs, RasterType{sizeof(Value)}, no_data);
     const CellTriangles cells(tin, grid);
     std::vector<Index> triangles;

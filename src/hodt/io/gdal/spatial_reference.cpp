@@ -50,7 +50,9 @@ std::string wkt_of(OGRSpatialReferenceH reference) {
 }  // namespace
 
 std::string crs_text(OGRSpatialReferenceH reference) {
-  if (!reference) return {};
+  // "Undefined geographic SRS" and the like are how a GeoPackage says that it does not know.
+  if (!reference || text_or_empty(gdal().OSRGetName(reference)).starts_with("Undefined "))
+    return {};
   GdalErrors errors;
   const std::string authority = text_or_empty(gdal().OSRGetAuthorityName(reference, nullptr));
   const std::string code = text_or_empty(gdal().OSRGetAuthorityCode(reference, nullptr));
