@@ -173,6 +173,24 @@ class Tin:
         self._require_mesh("pits")
         return _hodt.pits(self.xy, z, self.triangles)
 
+    def contours(self, levels=None, *, interval=None, base=0.0):
+        """The contour lines, a list of (level, xy) with xy float64 (p, 2), sorted by level. Higher
+        ground is on a line's left; a closed line repeats its first position.
+
+        levels: heights, ascending; or, in their place, `interval`: the levels are base and whole
+            multiples of it away from that, as far as the surface reaches.
+        """
+        z = self._heights("contours")
+        if (levels is None) == (interval is None):
+            raise ParameterError("contours are of levels, or of an interval: give one of them")
+        self._require_mesh("contours")
+        try:
+            chosen = None if levels is None else [float(level) for level in np.atleast_1d(levels)]
+            step, origin = 0.0 if interval is None else float(interval), float(base)
+        except (TypeError, ValueError):
+            raise ParameterError("levels, interval and base are to be numbers") from None
+        return _hodt.contours(self.xy, z, self.triangles, chosen, step, origin)
+
     # The whole
 
     def check(self, edges=(), *, threads=None):

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include "hodt/base/error.h"
 #include "hodt/geometry/predicates.h"
@@ -18,6 +19,7 @@
 #include "hodt/mesh/glued.h"
 #include "hodt/order/mesh_order.h"
 #include "hodt/tin/boundary_edges.h"
+#include "hodt/tin/contours.h"
 #include "hodt/tin/embedding.h"
 #include "hodt/tin/extrema.h"
 #include "hodt/tin/interpolate.h"
@@ -141,6 +143,18 @@ nb::tuple pits(const PlaceArray& xy, const HeightArray& z, const IntegerArray& t
   return nb::make_tuple(integers(std::move(found.bottoms)), doubles(std::move(found.depths)));
 }
 
+nb::list contour_lines(const PlaceArray& xy, const HeightArray& z, const IntegerArray& triangles,
+                       std::optional<std::vector<double>> levels, double interval, double base) {
+  std::vector<ContourLine> lines = result_of({}, [&](const Progress&) {
+    const Tin tin = tin_of(xy, z, triangles);
+    return contours(tin, levels ? *levels : contour_levels(tin, interval, base));
+  });
+  nb::list list;
+  for (ContourLine& line : lines)
+    list.append(nb::make_tuple(line.level, places(std::move(line.xy))));
+  return list;
+}
+
 }  // namespace
 
 void add_mesh(nb::module_& module) {
@@ -151,6 +165,8 @@ void add_mesh(nb::module_& module) {
              nb::arg("at"), nb::arg("threads"));
   module.def("triangles_at", located, nb::arg("xy"), nb::arg("triangles"), nb::arg("at"),
              nb::arg("threads"));
+  module.def("contours", contour_lines, nb::arg("xy"), nb::arg("z"), nb::arg("triangles"),
+             nb::arg("levels").none(), nb::arg("interval"), nb::arg("base"));
   module.def("pits", pits, nb::arg("xy"), nb::arg("z"), nb::arg("triangles"));
 }
 

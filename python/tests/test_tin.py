@@ -121,6 +121,25 @@ def test_pits_by_flooding(rng):
             assert depth == (0 if v in border else max(level, z[v]) - z[v])
 
 
+def test_contours_are_at_their_level_with_higher_ground_on_the_left(tin):
+    lines = tin.contours(interval=2, base=0.5)
+    assert {level for level, _ in lines} == {0.5, 2.5, 4.5, 6.5} and lines == sorted(
+        lines, key=lambda line: line[0])
+    again = tin.contours([0.5, 2.5, 4.5, 6.5])
+    assert all(np.array_equal(a, b) for (_, a), (_, b) in zip(lines, again))
+    for level, xy in lines:
+        np.testing.assert_allclose(tin.interpolate(xy[1:-1]), level, atol=1e-9)
+        along = np.diff(xy, axis=0)
+        aside = 1e-6 * np.stack([-along[:, 1], along[:, 0]], axis=1) / np.hypot(*along.T)[:, None]
+        long = np.hypot(*along.T) > 1e-3
+        left = tin.interpolate((xy[1:] - along / 2 + aside)[long])
+        assert (left[~np.isnan(left)] > level).all()
+    for arguments in (dict(), dict(levels=[1], interval=1), dict(levels=[2, 1]), dict(interval=0),
+                      dict(levels="high")):
+        with pytest.raises(hodt.ParameterError):
+            tin.contours(**arguments)
+
+
 def test_boundary_and_check(tin):
     edges = tin.boundary()
     assert (np.sort(edges[:, 0]) == np.sort(edges[:, 1])).all()

@@ -67,10 +67,10 @@ TEST_F(LasCommand, refuses_choices_of_other_files) {
   put("mesh.obj", "v 0 0 4\nv 1 0 2\nv 0 1 0\nf 1 2 3\n");
   for (const char* command : kCommands) {
     SCOPED_TRACE(command);
-    expect_refused(with(command, "points.csv --las-class 2"), "points.csv is none");
+    expect_refused(with(command, "points.csv --las-class 2"), "points.csv is a table");
     expect_refused(with(command, "points.csv --las-return last"), "for LAS and LAZ files");
     expect_refused(with(command, cloud("1.laz") + " --columns x=1,y=2"),
-                   "columns can be chosen in tables of points");
+                   "--columns is for tables of points");
     expect_refused(with(command, "points.csv --las-class ground"), "--las-class takes numbers");
     expect_refused(with(command, cloud("1.laz") + " --las-return 2"), "--las-return takes");
     expect_refused(with(command, cloud("1.laz") + " --las-class 77"), "none of its 200 points");

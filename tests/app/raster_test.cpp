@@ -36,9 +36,10 @@ TEST_F(RasterCommand, refuses_bad_usage) {
   expect_refused("raster pyramid.obj -o a.tif --resolution x", "--resolution must be a number");
   expect_refused("raster pyramid.obj -o a.asc --resolution 1", "known are .tif, .tiff");
   if (!has_gdal()) return;
-  expect_refused("raster pyramid.obj -o a.tif --resolution 1 --hillshade a.tif", "--hillshade names a.tif, which is another output as well");
+  expect_refused("raster pyramid.obj -o a.tif --resolution 1 --hillshade a.tif",
+                 "--hillshade names a.tif, which is another output as well");
   expect_refused("raster pyramid.obj -o a.tif --like none.tif", "none.tif");
-  expect_refused("raster pyramid.obj -o a.tif --resolution 1e-12", "too fine");
+  expect_refused("raster pyramid.obj -o a.tif --resolution 1e-12", "choose a larger one");
   put("flat.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n");
   expect_refused("raster flat.obj -o a.tif --resolution 1", "needs heights");
   put("twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 2 4\n");

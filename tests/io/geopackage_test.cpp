@@ -17,7 +17,7 @@ namespace {
 using test::TemporaryDirectory;
 
 /// What the standard asks for, and an index whose boxes are those of the geometries.
-constexpr const char* kLook = R"(
+constexpr const char* kLook = R"look(
 import sqlite3, struct, sys
 database = sqlite3.connect(sys.argv[1])
 def values(query): return [row[0] if len(row) == 1 else row for row in database.execute(query)]
@@ -59,7 +59,7 @@ for fid, (x0, x1, y0, y1) in boxes.items():
     a0, a1, b0, b1 = index[fid]
     assert a0 <= x0 and x1 <= a1 and b0 <= y0 and y1 <= b1
     assert max(x0 - a0, a1 - x1) <= 0.07 and max(y0 - b0, b1 - y1) <= 0.6, "single precision"
-#The triggers, with functions as a GIS has them.
+# The triggers, with functions as a GIS has them.
 for i, function in enumerate(["ST_MinX", "ST_MaxX", "ST_MinY", "ST_MaxY"]):
     database.create_function(function, 1, lambda blob, i=i: box(blob)[i])
 database.create_function("ST_IsEmpty", 1, lambda blob: 0)
@@ -79,7 +79,7 @@ assert len(values("SELECT id FROM %s WHERE id = %d" % (name(rtree), new + 5))) =
 database.execute("UPDATE %s SET %s = NULL WHERE fid = %d" % (name(table), column, new + 5))
 assert values("SELECT id FROM %s WHERE id = %d" % (name(rtree), new + 5)) == []
 assert values("SELECT rtreecheck('%s')" % rtree.replace("'", "''")) == ["ok"]
-)";
+)look";
 
 TEST(GeoPackage, IsAsTheStandardWants) {
   if (std::system("python3 -c 'import sqlite3' 2>/dev/null") != 0)
