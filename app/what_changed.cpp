@@ -124,10 +124,12 @@ void write_changes(const ChangesArguments& arguments, const TriangulateResult& r
   if (!arguments.pits.empty()) {
     if (!result.tin.points.has_heights())
       throw ParameterError("--pits needs heights, and the points have none; add a z column");
-    write_features(pits_layer(result.tin, result.changes.minima), outputs.open(arguments.pits));
+    write_features(pits_layer(result.tin, result.report.changes.minima),
+                   outputs.open(arguments.pits));
   }
   if (!arguments.changed.empty())
-    write_features(edges_layer(result.tin, result.changes.edges), outputs.open(arguments.changed));
+    write_features(edges_layer(result.tin, result.report.changes.edges),
+                   outputs.open(arguments.changed));
 }
 
 }  // namespace hodt::app

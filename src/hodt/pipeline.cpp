@@ -255,7 +255,7 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
   result.tin.points = kept_points(points, numbering);
   result.tin.crs = points.crs;
   if (options.tell_changes)
-    result.changes = what_changed(before, delaunay.mesh, vertices, prepared.keep, result.tin.order,
+    report.changes = what_changed(before, delaunay.mesh, vertices, prepared.keep, result.tin.order,
                                   numbering.of_vertices());
   return result;
 }

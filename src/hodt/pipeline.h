@@ -87,6 +87,8 @@ struct Report {
   /// Of the result; empty also if options.measure_pits is not set. For those of the Delaunay
   /// triangulation ask for Objective::none.
   std::optional<PitTotals> pits;
+  /// Nothing unless options.tell_changes.
+  WhatChanged changes = {};
   Seconds seconds;
 };
 
@@ -95,8 +97,6 @@ struct TriangulateResult {
   /// the points. Points that constraints leave no triangle are left out, too.
   Tin tin;
   Report report;
-  /// Nothing unless options.tell_changes.
-  WhatChanged changes = {};
 };
 
 /// Triangulates the points, every triangle of order at most options.order, as good for the
