@@ -233,7 +233,7 @@ double expected_volume(const Terrain& terrain, const Pit& pit) {
   for (const auto& t : terrain.triangles) {
     if (!is_wet[t[0]] && !is_wet[t[1]] && !is_wet[t[2]]) continue;
     // The midpoint rule on small pieces.
-    constexpr int pieces = 60;
+    constexpr int pieces = 400;
     const auto at = [&](auto of, double a, double b) {
       return of(t[0]) * (1 - a - b) + of(t[1]) * a + of(t[2]) * b;
     };
