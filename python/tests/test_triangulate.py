@@ -106,7 +106,7 @@ def test_as_the_command(command, tmp_path):
         result.tin.write(tmp_path / "own.ply")
         assert (tmp_path / "own.ply").read_bytes() == ply.read_bytes()
         told = json.loads(report.read_text())
-        of_files = {"columns", "files", "crs"}
+        of_files = {"columns", "files", "crs", "duplicate_rule"}
         for name in set(told) - of_files - {"seconds"}:
             assert result.report[name] == told[name], name
         assert set(told) - of_files == set(result.report)
@@ -303,7 +303,7 @@ def test_compare_as_the_command(command, tmp_path):
                    check=True, stdout=subprocess.DEVNULL)
     told = json.loads(report.read_text())
     ours = hodt.compare(points, range(3), ["min-local-minima", "max-sum-small-angle"], truth=known)
-    for name in ("columns", "files", "crs"):
+    for name in ("columns", "files", "crs", "duplicate_rule"):
         told.pop(name, None)
     for each in (told, ours):
         for objective in each["objectives"]:

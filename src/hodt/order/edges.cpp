@@ -5,6 +5,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/base/stop.h"
 #include "hodt/order/fixed_edges.h"
 #include "hodt/order/search/neighbourhood.h"
 #include "hodt/order/search/pencil.h"
@@ -84,6 +85,7 @@ class EdgesAt {
     Neighbourhood& around = useful_.neighbourhood();
     around.gather(u, k_);
     for (Index i = 0; i < around.size(); ++i) {
+      check_stop();  // of large orders one vertex takes long
       if (around.least_order(i) > k_ || !is_larger(around.vertex(i))) continue;
       const Index order = around.pencil().edge_order(i, k_);
       if (order <= k_) record(around.vertex(i), order);
