@@ -10,13 +10,9 @@
 #include <fmt/format.h>
 
 #include "hodt/base/parallel.h"
-#include "hodt/geometry/predicates.h"
 #include "hodt/io/line_file.h"
 #include "hodt/io/tin_file.h"
-#include "hodt/order/mesh_order.h"
-#include "hodt/tin/boundary_edges.h"
-#include "hodt/tin/embedding.h"
-#include "hodt/tin/quality.h"
+#include "hodt/pipeline/examine_mesh.h"
 
 namespace hodt::app {
 
@@ -31,22 +27,11 @@ struct Arguments {
   std::string json;
 };
 
-/// All that the command finds out. Order and quality are known of embedded meshes only.
-struct Findings {
+/// All that the command finds out.
+struct Findings : MeshFindings {
   std::size_t points = 0;
   std::size_t triangles = 0;
-  Embedding embedding;
-  std::optional<MeshOrder> order;
-  std::optional<Quality> quality;
-  std::optional<ExtremaCount> extrema;
 };
-
-void make_counter_clockwise(Tin& tin) {
-  const auto& xy = tin.points.xy;
-  for (auto& [a, b, c] : tin.triangles) {
-    if (orient(xy[a], xy[b], xy[c]) < 0) std::swap(b, c);
-  }
-}
 
 using Edge = std::array<Index, 2>;
 
@@ -75,21 +60,8 @@ std::vector<Edge> edges_of(const std::vector<std::string>& files, const Tin& tin
 }
 
 Findings examine(Tin tin, std::vector<Edge> walls) {
-  Findings findings;
-  findings.points = tin.points.size();
-  findings.triangles = tin.triangles.size();
-  findings.embedding = check_embedding(tin.points.xy, tin.triangles);
-  if (!findings.embedding.embedded) return findings;
-  if (findings.embedding.clockwise > 0) make_counter_clockwise(tin);
-  // The mesh's own border is one that nothing is reached across.
-  if (!findings.embedding.covers_hull) {
-    const std::vector<Edge> border = boundary_edges(tin.triangles);
-    walls.insert(walls.end(), border.begin(), border.end());
-  }
-  findings.order = order_of_mesh(tin.points, tin.triangles, walls);
-  findings.quality = quality_of(tin.points.xy, tin.triangles);
-  if (tin.points.has_heights()) findings.extrema = count_extrema(tin.points, tin.triangles);
-  return findings;
+  const std::size_t points = tin.points.size(), triangles = tin.triangles.size();
+  return {examine_mesh(std::move(tin), std::move(walls)), points, triangles};
 }
 
 bool is_of_order(const Findings& findings, Index k) {

@@ -14,26 +14,18 @@
 #include <nanobind/stl/vector.h>
 
 #include "hodt/base/error.h"
-#include "hodt/geometry/predicates.h"
 #include "hodt/hydrology/pit_depths.h"
 #include "hodt/mesh/glued.h"
-#include "hodt/order/mesh_order.h"
-#include "hodt/tin/boundary_edges.h"
+#include "hodt/pipeline/examine_mesh.h"
 #include "hodt/tin/contours.h"
+#include "hodt/tin/counter_clockwise.h"
 #include "hodt/tin/embedding.h"
 #include "hodt/tin/extrema.h"
 #include "hodt/tin/interpolate.h"
-#include "hodt/tin/quality.h"
 
 namespace hodt::python {
 
 namespace {
-
-void make_counter_clockwise(Tin& tin) {
-  const auto& xy = tin.points.xy;
-  for (auto& [a, b, c] : tin.triangles)
-    if (orient(xy[a], xy[b], xy[c]) < 0) std::swap(b, c);
-}
 
 /// What is wrong with the mesh; nothing if it is embedded.
 std::string problem_of(const PlaceArray& xy, const IntegerArray& triangles) {
@@ -42,33 +34,10 @@ std::string problem_of(const PlaceArray& xy, const IntegerArray& triangles) {
   });
 }
 
-struct Findings {
-  Embedding embedding;
-  std::optional<MeshOrder> order;
-  std::optional<Quality> quality;
-  std::optional<ExtremaCount> extrema;
-};
-
-/// As `hodt check` looks at a mesh: its own border is one that nothing is reached across.
-Findings examine(Tin tin, std::vector<std::array<Index, 2>> walls) {
-  Findings findings;
-  findings.embedding = check_embedding(tin.points.xy, tin.triangles);
-  if (!findings.embedding.embedded) return findings;
-  make_counter_clockwise(tin);
-  if (!findings.embedding.covers_hull) {
-    const auto border = boundary_edges(tin.triangles);
-    walls.insert(walls.end(), border.begin(), border.end());
-  }
-  findings.order = order_of_mesh(tin.points, tin.triangles, walls);
-  findings.quality = quality_of(tin.points.xy, tin.triangles);
-  if (tin.points.has_heights()) findings.extrema = count_extrema(tin.points, tin.triangles);
-  return findings;
-}
-
 nb::dict check(const PlaceArray& xy, const std::optional<HeightArray>& z,
                const IntegerArray& triangles, const IntegerArray& walls, std::size_t threads) {
-  const Findings findings = result_of({threads}, [&](const Progress&) {
-    return examine(tin_of(xy, z, triangles), copy_of(rows_of<std::array<Index, 2>>(walls)));
+  const MeshFindings findings = result_of({threads}, [&](const Progress&) {
+    return examine_mesh(tin_of(xy, z, triangles), copy_of(rows_of<std::array<Index, 2>>(walls)));
   });
   const Embedding& embedding = findings.embedding;
   nb::dict dict;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "hodt/base/error.h"
-#include "hodt/geometry/predicates.h"
 #include "hodt/mesh/glued.h"
 #include "hodt/tin/boundary_edges.h"
+#include "hodt/tin/counter_clockwise.h"
 #include "hodt/tin/embedding.h"
 
 namespace hodt {
@@ -19,8 +18,7 @@ GivenTin given_tin(Tin tin) {
   const Embedding embedding = check_embedding(tin.points.xy, tin.triangles);
   if (!embedding.embedded)
     throw InputError("this is no mesh that can be improved: " + embedding.problem);
-  for (auto& [a, b, c] : tin.triangles)
-    if (orient(tin.points.xy[a], tin.points.xy[b], tin.points.xy[c]) < 0) std::swap(b, c);
+  make_counter_clockwise(tin);
 
   std::vector<Index> number(tin.points.size(), kNone);
   for (const auto& corners : tin.triangles)

@@ -11,7 +11,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
-#include "hodt/geometry/predicates.h"
+#include "hodt/tin/counter_clockwise.h"
 
 namespace hodt {
 
@@ -54,12 +54,11 @@ std::vector<Piece> pieces_of(const Tin& tin, std::span<const double> levels) {
       0, tin.triangles.size(), kGrain,
       [&](std::size_t first, std::size_t last, std::vector<Piece>& found) {
         for (std::size_t t = first; t < last; ++t) {
-          std::array<Index, 3> corners = tin.triangles[t];
-          const auto [low, high] = std::minmax({z[corners[0]], z[corners[1]], z[corners[2]]});
+          const auto& [a, b, c] = tin.triangles[t];
+          const auto [low, high] = std::minmax({z[a], z[b], z[c]});
           auto level = std::upper_bound(levels.begin(), levels.end(), low);
           if (level == levels.end() || *level > high) continue;
-          if (orient(xy[corners[0]], xy[corners[1]], xy[corners[2]]) < 0)
-            std::swap(corners[1], corners[2]);
+          const std::array<Index, 3> corners = counter_clockwise(xy, tin.triangles[t]);
           for (; level != levels.end() && *level <= high; ++level)
             found.push_back(
                 piece_of(corners, z, static_cast<Index>(level - levels.begin()), *level));

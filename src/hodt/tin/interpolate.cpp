@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "hodt/geometry/predicates.h"
+#include "hodt/tin/counter_clockwise.h"
 
 namespace hodt {
 
@@ -49,12 +50,6 @@ struct IsBelow {
     return e.left == later.left ? orient(e.left, e.right, later.right) : 1;
   }
 };
-
-Triangle counter_clockwise(const std::vector<Point>& xy, Triangle corners) {
-  auto& [a, b, c] = corners;
-  if (orient(xy[a], xy[b], xy[c]) < 0) std::swap(b, c);
-  return corners;
-}
 
 /// Sorted by their left ends.
 std::vector<LowerEdge> lower_edges(const Tin& tin) {

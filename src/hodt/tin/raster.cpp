@@ -11,7 +11,9 @@
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/tin/counter_clockwise.h"
 #include "hodt/tin/interpolate.h"
+#include "hodt/tin/slope.h"
 
 namespace hodt {
 
@@ -19,14 +21,6 @@ namespace {
 
 constexpr std::size_t kStripRows = 32;
 constexpr std::size_t kGrain = 1 << 14;
-
-/// The corners counter-clockwise.
-std::array<Index, 3> turned(const Tin& tin, Index triangle) {
-  std::array<Index, 3> corners = tin.triangles[triangle];
-  const std::vector<Point>& xy = tin.points.xy;
-  if (orient(xy[corners[0]], xy[corners[1]], xy[corners[2]]) < 0) std::swap(corners[1], corners[2]);
-  return corners;
-}
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -126,7 +120,7 @@ void CellTriangles::fill_strip(std::size_t strip, std::size_t first_row, std::si
   for (std::size_t i = begin_[strip]; i < begin_[strip + 1]; ++i) {
     const Index t = triangles_[i];
     const auto [first, last] = rows_of(tin_, grid_, t);
-    const auto [a, b, c] = turned(tin_, t);
+    const auto [a, b, c] = counter_clockwise(tin_.points.xy, tin_.triangles[t]);
     const std::array<Point, 3> corners = {tin_.points.xy[a], tin_.points.xy[b], tin_.points.xy[c]};
     for (std::size_t row = std::max(first, first_row); row < std::min(last, last_row); ++row)
       fill_row(t, corners, row,
@@ -180,14 +174,14 @@ Hillshade::Hillshade(const Tin& tin, double azimuth, double altitude)
                            std::sin(altitude * degree)};
   parallel_for(0, tin.triangles.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
-      const auto [a, b, c] = turned(tin, static_cast<Index>(t));
-      const Point &p = tin.points.xy[a], &q = tin.points.xy[b], &r = tin.points.xy[c];
-      const double z = tin.points.z[a], dz1 = tin.points.z[b] - z, dz2 = tin.points.z[c] - z;
-      const double x1 = q.x - p.x, y1 = q.y - p.y, x2 = r.x - p.x, y2 = r.y - p.y;
-      const double normal[3] = {y1 * dz2 - dz1 * y2, dz1 * x2 - x1 * dz2, x1 * y2 - y1 * x2};
-      const double length = std::hypot(normal[0], normal[1], normal[2]);
+      const auto [a, b, c] = counter_clockwise(tin.points.xy, tin.triangles[t]);
+      const std::vector<Point>& xy = tin.points.xy;
+      const std::vector<double>& z = tin.points.z;
+      const Normal normal = normal_of(xy[a], xy[b], xy[c], z[a], z[b], z[c]);
+      const double east = normal.height * normal.east, north = normal.height * normal.north,
+                   up = normal.width * normal.up;
       const double cosine =
-          (normal[0] * light[0] + normal[1] * light[1] + normal[2] * light[2]) / length;
+          (east * light[0] + north * light[1] + up * light[2]) / std::hypot(east, north, up);
       // A facet that is out of a double's range is as a level one.
       const double share = std::isfinite(cosine) ? std::max(cosine, 0.) : light[2];
       shade_[t] = static_cast<unsigned char>(std::lround(1 + 254 * share));
