@@ -14,8 +14,17 @@ struct Slope {
   std::optional<double> aspect;
 };
 
+/// A vector that stands on a plane, upwards: its horizontal part is `height` times (east, north),
+/// its vertical one `width` times `up`. The factors keep apart what a product would take out of a
+/// double's range.
+struct Normal {
+  double east, north, up;  ///< each of size 2 or less
+  double width, height;
+};
+
 /// Of the plane through three places of the map, counter-clockwise, with their heights; these are
 /// in units of the map.
+Normal normal_of(const Point& a, const Point& b, const Point& c, double za, double zb, double zc);
 Slope slope_of(const Point& a, const Point& b, const Point& c, double za, double zb, double zc);
 
 }  // namespace hodt
