@@ -36,10 +36,7 @@ void check_raster(const RasterArguments& arguments, const std::string& output,
     check_targets(arguments.like, file, {});
     for (const std::string& input : read) check_targets(input, file, {});
   }
-  for (const std::string& other : written)
-    if (is_same_output(shade, other))
-      throw ParameterError(
-          fmt::format("--hillshade names {}, which is another output as well", shade));
+  check_other_outputs("--hillshade", shade, written);
 }
 
 Grid grid_of(const RasterArguments& arguments, const Tin& tin, const std::string& name) {

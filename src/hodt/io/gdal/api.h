@@ -93,7 +93,6 @@ namespace hodt {
   FUNCTION(OGR_L_ResetReading)               \
   FUNCTION(OGR_L_SetIgnoredFields)           \
   FUNCTION(OSRDemoteTo2D)                    \
-  FUNCTION(OSRDestroySpatialReference)       \
   FUNCTION(OSRExportToWktEx)                 \
   FUNCTION(OSRGetAuthorityCode)              \
   FUNCTION(OSRGetAuthorityName)              \

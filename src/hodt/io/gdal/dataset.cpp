@@ -1,5 +1,7 @@
 #include "hodt/io/gdal/dataset.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -29,6 +31,19 @@ Dataset open_dataset(const std::filesystem::path& path, DatasetKind kind) {
   if (!dataset)
     throw InputError(fmt::format("cannot read {}: {}", display_name(path), errors.take()));
   return dataset;
+}
+
+Affine affine_of(GDALDatasetH dataset, const std::string& name) {
+  Affine g{};
+  if (gdal().GDALGetGeoTransform(dataset, g.data()) != CE_None)
+    throw InputError(
+        fmt::format("{} does not say where its cells are on the map; georeference it, with "
+                    "gdalwarp for example",
+                    name));
+  const bool is_finite = std::all_of(g.begin(), g.end(), [](double v) { return std::isfinite(v); });
+  if (!is_finite || g[1] * g[5] == g[2] * g[4])
+    throw InputError(fmt::format("{} has cells of no size", name));
+  return g;
 }
 
 }  // namespace hodt

@@ -1,7 +1,5 @@
 #include "hodt/io/gdal/raster.h"
 
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,7 +34,6 @@ GDALDatasetH create(const std::filesystem::path& path, const Grid& grid, RasterT
 
 struct RasterWriter::State {
   GdalErrors errors;
-  std::filesystem::path path;
   Dataset dataset;
   RasterType type;
   int columns;
@@ -49,18 +46,19 @@ struct RasterWriter::State {
       throw ParameterError(fmt::format(
           "GDAL does not know the coordinate reference system {}; name another by --crs", crs));
   }
-  [[noreturn]] void fail() {
-    throw FileError(fmt::format("cannot write the raster: {}", errors.take()));
+  [[noreturn]] void fail() { fail(errors.take()); }
+  [[noreturn]] static void fail(const std::string& why) {
+    throw FileError(fmt::format("cannot write the raster: {}", why));
   }
 };
 
 RasterWriter::RasterWriter(const std::filesystem::path& path, const Grid& grid,
                            const std::string& crs, RasterType type, double no_data)
-    : state_(new State{{}, path, Dataset(), type, static_cast<int>(grid.columns)}) {
+    : state_(new State{{}, Dataset(), type, static_cast<int>(grid.columns)}) {
   state_->dataset.reset(create(path, grid, type));
   if (!state_->dataset) state_->fail();
   GDALDatasetH dataset = state_->dataset.get();
-  std::array<double, 6> affine = {grid.west, grid.width, 0, grid.north, 0, -grid.height};
+  Affine affine = {grid.west, grid.width, 0, grid.north, 0, -grid.height};
   gdal().GDALSetGeoTransform(dataset, affine.data());
   if (!crs.empty()) state_->set_crs(crs);
   gdal().GDALSetRasterNoDataValue(gdal().GDALGetRasterBand(dataset, 1), no_data);
@@ -78,8 +76,7 @@ void RasterWriter::write(std::size_t first_row, std::size_t rows, void* cells) {
 
 void RasterWriter::finish() {
   state_->dataset.reset();
-  if (const std::string error = state_->errors.take(); !error.empty())
-    throw FileError(fmt::format("cannot write the raster: {}", error));
+  if (const std::string error = state_->errors.take(); !error.empty()) State::fail(error);
 }
 
 void require_gdal() {
@@ -88,10 +85,7 @@ void require_gdal() {
 
 GridOfFile read_grid(const std::filesystem::path& path) {
   const Dataset dataset = open_dataset(path, DatasetKind::raster);
-  std::array<double, 6> g{};
-  if (gdal().GDALGetGeoTransform(dataset.get(), g.data()) != CE_None)
-    throw InputError(
-        fmt::format("{} does not say where its cells are on the map", display_name(path)));
+  const Affine g = affine_of(dataset.get(), display_name(path));
   const bool is_upright = g[2] == 0 && g[4] == 0 && g[1] > 0 && g[5] < 0;
   if (!is_upright)
     throw InputError(

@@ -1,7 +1,6 @@
 // Points at the centres of a raster's cells.
 // Tested by tests/io/gdal_test.cpp.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -20,22 +19,6 @@
 namespace hodt {
 
 namespace {
-
-/// From cells to the map: x = g[0] + column * g[1] + row * g[2], y likewise.
-using Affine = std::array<double, 6>;
-
-Affine affine_of(GDALDatasetH dataset, const std::string& name) {
-  Affine g{};
-  if (gdal().GDALGetGeoTransform(dataset, g.data()) != CE_None)
-    throw InputError(
-        fmt::format("{} does not say where its cells are on the map; georeference it, with "
-                    "gdalwarp for example",
-                    name));
-  const bool is_finite = std::all_of(g.begin(), g.end(), [](double v) { return std::isfinite(v); });
-  if (!is_finite || g[1] * g[5] == g[2] * g[4])
-    throw InputError(fmt::format("{} has cells of no size", name));
-  return g;
-}
 
 /// The centre of a cell.
 Point centre(const Affine& g, double column, double row) {

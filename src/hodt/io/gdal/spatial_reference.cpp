@@ -1,6 +1,6 @@
 #include "hodt/io/gdal/spatial_reference.h"
 
-#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,21 +9,6 @@
 namespace hodt {
 
 namespace {
-
-struct DestroyReference {
-  void operator()(OGRSpatialReferenceH reference) const {
-    gdal().OSRDestroySpatialReference(reference);
-  }
-};
-using Reference = std::unique_ptr<std::remove_pointer_t<OGRSpatialReferenceH>, DestroyReference>;
-
-/// nullptr if there is no such system.
-Reference reference_of(const std::string& crs) {
-  GdalErrors errors;
-  Reference reference(gdal().OSRNewSpatialReference(nullptr));
-  const bool known = gdal().OSRSetFromUserInput(reference.get(), crs.c_str()) == OGRERR_NONE;
-  return known ? std::move(reference) : nullptr;
-}
 
 bool has_heights(OGRSpatialReferenceH reference) {
   return gdal().OSRIsCompound(reference) || gdal().OSRGetAxesCount(reference) > 2;
@@ -38,16 +23,24 @@ std::string text_or_empty(const char* text) {
   return text ? text : "";
 }
 
-std::string wkt_of(OGRSpatialReferenceH reference) {
-  constexpr const char* options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+}  // namespace
+
+Reference reference_of(const std::string& crs) {
+  GdalErrors errors;
+  Reference reference(gdal().OSRNewSpatialReference(nullptr));
+  const bool known = gdal().OSRSetFromUserInput(reference.get(), crs.c_str()) == OGRERR_NONE;
+  return known ? std::move(reference) : nullptr;
+}
+
+std::string wkt_of(OGRSpatialReferenceH reference, const char* format) {
+  const std::string format_option = fmt::format("FORMAT={}", format);
+  const char* const options[] = {format_option.c_str(), "MULTILINE=NO", nullptr};
   char* wkt = nullptr;
   const bool done = gdal().OSRExportToWktEx(reference, &wkt, options) == OGRERR_NONE;
   std::string text = done ? text_or_empty(wkt) : "";
   gdal().VSIFree(wkt);
   return text;
 }
-
-}  // namespace
 
 std::string crs_text(OGRSpatialReferenceH reference) {
   // "Undefined geographic SRS" and the like are how a GeoPackage says that it does not know.
@@ -56,7 +49,7 @@ std::string crs_text(OGRSpatialReferenceH reference) {
   GdalErrors errors;
   const std::string authority = text_or_empty(gdal().OSRGetAuthorityName(reference, nullptr));
   const std::string code = text_or_empty(gdal().OSRGetAuthorityCode(reference, nullptr));
-  return authority.empty() || code.empty() ? wkt_of(reference)
+  return authority.empty() || code.empty() ? wkt_of(reference, "WKT2_2019")
                                            : fmt::format("{}:{}", authority, code);
 }
 

@@ -16,6 +16,7 @@
 #include "hodt/io/feature_file.h"
 #include "hodt/io/gdal/api.h"
 #include "hodt/io/gdal/dataset.h"
+#include "hodt/io/gdal/spatial_reference.h"
 #include "hodt/io/well_known_binary.h"
 
 namespace hodt {
@@ -28,30 +29,23 @@ struct Release {
 };
 template <auto release>
 using Owned = std::unique_ptr<void, Release<release>>;
-using Reference = Owned<&GdalFunctions::OSRRelease>;
 using OwnedFeature = Owned<&GdalFunctions::OGR_F_Destroy>;
 using OwnedField = Owned<&GdalFunctions::OGR_Fld_Destroy>;
 
-/// Of text that GDAL understands. x and y are what they always are to those who draw maps.
-Reference understood(const std::string& crs) {
-  GdalErrors errors;
-  Reference reference(gdal().OSRNewSpatialReference(nullptr));
-  if (gdal().OSRSetFromUserInput(reference.get(), crs.c_str()) != OGRERR_NONE) return nullptr;
-  gdal().OSRSetAxisMappingStrategy(reference.get(), OAMS_TRADITIONAL_GIS_ORDER);
+/// Also of text of which GDAL understands its code alone; nullptr if it understands nothing. x and
+/// y are what they always are to those who draw maps.
+Reference reference_to_write(const std::string& crs) {
+  Reference reference = reference_of(crs);
+  if (const std::optional<CrsCode> code = crs_code(crs); !reference && code)
+    reference = reference_of(fmt::format("{}:{}", code->authority, code->number));
+  if (reference) gdal().OSRSetAxisMappingStrategy(reference.get(), OAMS_TRADITIONAL_GIS_ORDER);
   return reference;
-}
-
-/// Also of text of which GDAL understands its code alone; nullptr if it understands nothing.
-Reference reference_of(const std::string& crs) {
-  if (Reference reference = understood(crs)) return reference;
-  const std::optional<CrsCode> code = crs_code(crs);
-  return code ? understood(fmt::format("{}:{}", code->authority, code->number)) : nullptr;
 }
 
 /// Also of other text: nothing is lost, even if nobody understands it.
 Reference reference_or_name(const std::string& crs) {
   if (crs.empty()) return nullptr;
-  if (Reference reference = reference_of(crs)) return reference;
+  if (Reference reference = reference_to_write(crs)) return reference;
   GdalErrors errors;
   Reference reference(gdal().OSRNewSpatialReference(nullptr));
   gdal().OSRSetLocalCS(reference.get(), printable(crs).c_str());
@@ -184,15 +178,10 @@ void write_shapefile(const FeatureLayer& layer, OutputFile& file) {
 }
 
 std::string crs_definition(const std::string& crs) {
-  const Reference reference = reference_of(crs);
+  const Reference reference = reference_to_write(crs);
   if (!reference) return {};
   GdalErrors errors;
-  constexpr const char* options[] = {"FORMAT=WKT1_GDAL", nullptr};
-  char* text = nullptr;
-  const bool done = gdal().OSRExportToWktEx(reference.get(), &text, options) == OGRERR_NONE;
-  const std::string definition = done && text != nullptr ? text : "";
-  gdal().VSIFree(text);
-  return definition;
+  return wkt_of(reference.get(), "WKT1_GDAL");
 }
 
 }  // namespace hodt
