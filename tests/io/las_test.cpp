@@ -195,7 +195,7 @@ std::string crs_with(bool prefers_wkt, const std::string& keys, const std::strin
   if (!keys.empty()) writer.add_record("LASF_Projection", 34735, keys);
   writer.add_record("somebody", 2112, "PROJCS[]");
   if (!wkt.empty()) writer.add_record("LASF_Projection", 2112, wkt + std::string(2, '\0'));
-  return read_las(input_of(writer.bytes())).crs;
+  return read_las(input_of(writer.bytes())).points.crs;
 }
 
 constexpr const char* kWkt =
@@ -249,7 +249,7 @@ std::filesystem::path twin_of(const std::filesystem::path& file) {
 
 auto content_of(const LasPoints& las) {
   const LasCounts& c = las.counts;
-  return std::tuple(las.points.xy, las.points.z, las.crs, c.total, c.withheld, c.other_class,
+  return std::tuple(las.points.xy, las.points.z, las.points.crs, c.total, c.withheld, c.other_class,
                     c.other_return, c.of_class, c.taken_of_class);
 }
 

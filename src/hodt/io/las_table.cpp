@@ -16,7 +16,6 @@ PointTable read_las_table(const InputText& input, const PointChoice& choice) {
   LasPoints las = read_las(input, choice.las.value_or(LasChoice()));
   std::vector<std::string> warnings = warn_of_no_data(las.points);
   const TakenColumns taken{{1, "X"}, {2, "Y"}, {{3, "Z"}}, las.counts};
-  las.points.crs = std::move(las.crs);
   return {std::move(las.points), taken, std::move(warnings)};
 }
 

@@ -9,6 +9,11 @@
 
 namespace hodt::las {
 
+/// Modulo 2^32, as LASzip adds.
+inline std::int32_t wrapped_sum(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+
 /// Of kBits bits, each decoded in one of kContexts contexts.
 template <std::uint32_t kBits, std::uint32_t kContexts>
 class IntegerDecoder {
@@ -35,8 +40,7 @@ class IntegerDecoder {
   /// The next integer.
   std::int32_t next(ArithmeticDecoder& in, std::int32_t prediction, std::uint32_t context) {
     static_assert(kBits == 32, "shorter integers are not needed, and wrap otherwise");
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(prediction) +
-                                     correction(in, context));
+    return wrapped_sum(prediction, static_cast<std::int32_t>(correction(in, context)));
   }
 
   /// How many bits the last correction had.

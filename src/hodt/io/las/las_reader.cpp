@@ -113,7 +113,8 @@ class Reader {
     decode();
     choose();
     place();
-    return {std::move(points_), crs_of(header_), counts_};
+    points_.crs = crs_of(header_);
+    return {std::move(points_), counts_};
   }
 
  private:

@@ -28,10 +28,9 @@ struct LasCounts {
 
 struct LasPoints {
   /// In the order of the file; each coordinate is the stored integer times the file's scale plus
-  /// its offset, both rounded to double.
+  /// its offset, both rounded to double. The system is the file's code ("EPSG:25832"), its
+  /// well-known text if it has none, or nothing.
   PointSet points;
-  /// "EPSG:25832" if the file gives a code, its well-known text if not; empty if it says nothing.
-  std::string crs;
   LasCounts counts;
 };
 

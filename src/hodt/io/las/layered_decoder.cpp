@@ -132,8 +132,7 @@ class Channel {
 
   static void move(std::int32_t& coordinate, std::int32_t by, MovingMedian& median) {
     median.add(by);
-    coordinate = static_cast<std::int32_t>(static_cast<std::uint32_t>(coordinate) +
-                                           static_cast<std::uint32_t>(by));
+    coordinate = wrapped_sum(coordinate, by);
   }
 
   bool is_used_ = false;

@@ -51,8 +51,8 @@ class Point10V1 final : public Point10 {
     const std::int32_t dx = dx_.next(in, x_steps_.median(), 0);
     const std::int32_t dy = dy_.next(in, y_steps_.median(), std::min(dx_.last_bits(), kMost));
     const std::uint32_t bits = (dx_.last_bits() + dy_.last_bits()) / 2;
-    point_.x = sum(point_.x, dx);
-    point_.y = sum(point_.y, dy);
+    point_.x = wrapped_sum(point_.x, dx);
+    point_.y = wrapped_sum(point_.y, dy);
     point_.z = z_.next(in, point_.z, std::min(bits, kMost));
     if (const std::uint32_t changed = in.symbol(changed_)) next_attributes(in, changed, bits);
     x_steps_.add(dx, oldest_);
@@ -64,10 +64,6 @@ class Point10V1 final : public Point10 {
 
  private:
   static constexpr std::uint32_t kMost = 19;
-
-  static std::int32_t sum(std::int32_t a, std::int32_t b) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
-  }
 
   void next_attributes(ArithmeticDecoder& in, std::uint32_t changed, std::uint32_t bits) {
     if (changed & 32u) intensity_.correction(in, 0);

@@ -56,8 +56,7 @@ class Point10V2 final : public Point10 {
 
   static std::int32_t moved(std::int32_t from, std::int32_t by, MovingMedian& median) {
     median.add(by);
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(from) +
-                                     static_cast<std::uint32_t>(by));
+    return wrapped_sum(from, by);
   }
 
   void next_attributes(ArithmeticDecoder& in, std::uint32_t changed) {
