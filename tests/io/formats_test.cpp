@@ -1,7 +1,6 @@
 #include "hodt/io/formats.h"
 
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "temporary_directory.h"
@@ -20,8 +19,8 @@ TEST(Formats, AreToldByTheirExtensions) {
     std::set<std::string> seen;
     for (const Format& format : formats()) {
       if (!can(format, use)) continue;
-      std::istringstream extensions{std::string(format.extensions)};
-      for (std::string extension; extensions >> extension;) {
+      for (const std::string_view each : extensions_of(format)) {
+        const std::string extension(each);
         EXPECT_TRUE(seen.insert(extension).second) << extension << " is told twice";
         EXPECT_EQ(find_format("a b" + extension, use), &format);
         EXPECT_EQ(&format_for("folder.obj/a" + extension, use), &format);

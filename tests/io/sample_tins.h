@@ -72,7 +72,7 @@ inline std::vector<const Format*> mesh_formats() {
 }
 
 inline std::string first_extension(const Format& format) {
-  return std::string(format.extensions.substr(0, format.extensions.find(' ')));
+  return std::string(extensions_of(format).front());
 }
 
 }  // namespace hodt::test

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/crs_name.h"
 #include "hodt/io/formats.h"
 #include "hodt/io/gdal/crs_facts.h"
 
@@ -49,7 +50,7 @@ bool is_epsg_number(std::string_view code) {
 std::string parse_crs(std::string_view option, const std::string& text) {
   const std::string code = code_of(text);
   // Anything else could be the name of a file or an address.
-  const bool is_definition = text.find('[') != text.npos || text.starts_with("+proj=");
+  const bool is_definition = is_wkt(text) || text.starts_with("+proj=");
   const bool has_form = has_gdal() ? !code.empty() || is_definition : is_epsg_number(code);
   const std::string known = code.empty() ? text : code;
   const std::optional<CrsFacts> facts = has_form ? crs_facts(known) : std::nullopt;

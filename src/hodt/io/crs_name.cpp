@@ -49,8 +49,12 @@ std::optional<CrsCode> code_at_end(std::string_view text) {
 
 }  // namespace
 
+bool is_wkt(std::string_view crs) {
+  return crs.find('[') != std::string_view::npos;
+}
+
 std::optional<CrsCode> crs_code(std::string_view crs) {
-  if (crs.find('[') != std::string_view::npos) return code_at_end(crs);
+  if (is_wkt(crs)) return code_at_end(crs);
   const std::size_t colon = crs.find(':');
   if (colon == std::string_view::npos) return {};
   return code_of(crs.substr(0, colon), crs.substr(colon + 1));

@@ -8,6 +8,9 @@
 
 namespace hodt {
 
+/// Whether a system is told as well-known text, not by an authority's code.
+bool is_wkt(std::string_view crs);
+
 /// The number in a list of systems.
 struct CrsCode {
   std::string authority;  ///< "EPSG"

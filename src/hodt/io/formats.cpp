@@ -1,5 +1,6 @@
 #include "hodt/io/formats.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,8 +32,7 @@ namespace hodt {
 namespace {
 
 /// What a file of points is, its bytes say.
-PointTable read_table(const std::filesystem::path& path, const PointChoice& choice) {
-  InputText input = read_input(path);
+PointTable parse_points(InputText input, const PointChoice& choice) {
   if (is_las(input.view())) {
     check_choice(choice, PointKind::las, input.name);
     return read_las_table(input, choice);
@@ -41,12 +41,15 @@ PointTable read_table(const std::filesystem::path& path, const PointChoice& choi
   return parse_point_table(std::move(input), choice.columns);
 }
 
+PointTable read_table(const std::filesystem::path& path, const PointChoice& choice) {
+  return parse_points(read_input(path), choice);
+}
+
 /// Tables have this extension, too.
 PointTable read_grid_or_table(const std::filesystem::path& path, const PointChoice& choice) {
   InputText input = read_input(path);
   if (is_esri_grid(input.view())) return read_raster_points(path, choice);
-  check_choice(choice, PointKind::table, input.name);
-  return parse_point_table(std::move(input), choice.columns);
+  return parse_points(std::move(input), choice);
 }
 
 std::string read_geojson_file(const std::filesystem::path& path, const std::string& layer,
@@ -137,16 +140,6 @@ constexpr Format kFormats[] = {
 };
 // clang-format on
 
-bool has_extension(const Format& format, std::string_view extension) {
-  std::string_view rest = format.extensions;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(' '), rest.size());
-    if (rest.substr(0, end) == extension) return true;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return false;
-}
-
 /// Meshes and features are never written packed.
 bool may_be_packed(Use use) {
   return use != Use::write_tin && use != Use::write_features;
@@ -157,22 +150,18 @@ std::string extension_of(const std::filesystem::path& path, Use use) {
 }
 
 std::string known_extensions(Use use) {
-  std::string known;
-  std::string packed;  // of them, those that may be
-  const auto add = [](std::string_view extensions, std::string& list) {
-    if (!list.empty()) list += ", ";
-    for (const char c : extensions) {
-      if (c == ' ') list += ',';
-      list += c;
-    }
-  };
+  std::vector<std::string_view> known, packed;  // of the known ones, those that may be
   for (const Format& format : kFormats) {
     if (!can(format, use)) continue;
-    add(format.extensions, known);
-    if (format.can_be_packed) add(format.extensions, packed);
+    for (const std::string_view extension : extensions_of(format)) {
+      known.push_back(extension);
+      if (format.can_be_packed) packed.push_back(extension);
+    }
   }
-  if (!may_be_packed(use) || packed.empty()) return known;
-  return known + ", " + (packed == known ? "each" : packed) + " also with .gz";
+  const std::string list = fmt::format("{}", fmt::join(known, ", "));
+  if (!may_be_packed(use) || packed.empty()) return list;
+  return fmt::format("{}, {} also with .gz", list,
+                     packed == known ? "each" : fmt::format("{}", fmt::join(packed, ", ")));
 }
 
 std::string_view doing(Use use) {
@@ -199,6 +188,16 @@ std::span<const Format> formats() {
   return kFormats;
 }
 
+std::vector<std::string_view> extensions_of(const Format& format) {
+  std::vector<std::string_view> extensions;
+  for (std::string_view rest = format.extensions; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    extensions.push_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return extensions;
+}
+
 bool can(const Format& format, Use use) {
   switch (use) {
     case Use::read_points:
@@ -220,9 +219,11 @@ bool can(const Format& format, Use use) {
 const Format* find_format(const std::filesystem::path& path, Use use) {
   const std::string extension = extension_of(path, use);
   const bool is_packed = use != Use::write_tin && is_packed_name(path);
-  for (const Format& format : kFormats)
-    if (can(format, use) && has_extension(format, extension))
+  for (const Format& format : kFormats) {
+    const std::vector<std::string_view> known = extensions_of(format);
+    if (can(format, use) && std::find(known.begin(), known.end(), extension) != known.end())
       return is_packed && !format.can_be_packed ? nullptr : &format;
+  }
   return nullptr;
 }
 

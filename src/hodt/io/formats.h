@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hodt/geometry/point_set.h"
 #include "hodt/io/atomic_write.h"
@@ -43,6 +44,9 @@ struct Format {
 };
 
 std::span<const Format> formats();
+
+/// Each by itself: ".tif" and ".tiff".
+std::vector<std::string_view> extensions_of(const Format& format);
 
 /// Whether hodt was built with the formats that need GDAL. If not, using one throws ParameterError.
 bool has_gdal();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "hodt/io/crs_name.h"
 #include "hodt/io/number_text.h"
 #include "hodt/io/parallel_text.h"
 #include "hodt/io/tin_parts.h"

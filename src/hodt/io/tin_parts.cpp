@@ -17,10 +17,6 @@ std::optional<std::int32_t> epsg_code(std::string_view crs) {
   return static_cast<std::int32_t>(code->number);
 }
 
-bool is_wkt(std::string_view crs) {
-  return crs.find('[') != std::string_view::npos;
-}
-
 std::string in_one_line(std::string_view text) {
   std::string line;
   bool is_after_break = false;

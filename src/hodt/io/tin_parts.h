@@ -20,9 +20,6 @@ inline double height_or_zero(const PointSet& points, std::size_t i) {
 /// The number of "EPSG:25832", or that well-known text ends with; nothing for other systems.
 std::optional<std::int32_t> epsg_code(std::string_view crs);
 
-/// Whether a reference system is told as well-known text, not by an authority's code.
-bool is_wkt(std::string_view crs);
-
 /// Without the line breaks, which WKT can do without, for comments of one line.
 std::string in_one_line(std::string_view text);
 

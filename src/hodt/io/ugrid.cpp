@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hodt/io/bytes.h"
+#include "hodt/io/crs_name.h"
 #include "hodt/io/netcdf.h"
 #include "hodt/io/tin_parts.h"
 
