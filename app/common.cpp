@@ -30,19 +30,20 @@ std::filesystem::path resolved(const std::filesystem::path& path) {
                                            ignored);
 }
 
-bool is_input(const std::filesystem::path& output, const std::filesystem::path& input) {
-  std::error_code missing;
-  return !is_standard_output(output) && std::filesystem::equivalent(output, input, missing);
-}
-
-}  // namespace
-
+/// Whether both are written to the same place. An empty path is none.
 bool is_same_output(const std::filesystem::path& a, const std::filesystem::path& b) {
   if (a.empty() || b.empty()) return false;
   if (is_standard_output(a) || is_standard_output(b))
     return is_standard_output(a) && is_standard_output(b);
   return resolved(a) == resolved(b);
 }
+
+bool is_input(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code missing;
+  return !is_standard_output(output) && std::filesystem::equivalent(output, input, missing);
+}
+
+}  // namespace
 
 std::uint64_t parse_whole(std::string_view option, const std::string& text, std::uint64_t least,
                           std::uint64_t most) {
@@ -137,6 +138,14 @@ void print(std::string_view lines) {
   } catch (const BrokenPipeError&) {
     // `hodt ... | head` has seen enough.
   }
+}
+
+void check_other_outputs(std::string_view option, const std::string& file,
+                         std::span<const std::string> others) {
+  for (const std::string& other : others)
+    if (is_same_output(file, other))
+      throw ParameterError(
+          fmt::format("{} names {}, which is another output as well", option, file));
 }
 
 void check_targets(const std::filesystem::path& input, const std::filesystem::path& output,

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -101,8 +102,10 @@ inline std::string shown(const std::filesystem::path& path) {
   return printable(path.string());
 }
 
-/// Whether both are written to the same place. An empty path is none.
-bool is_same_output(const std::filesystem::path& a, const std::filesystem::path& b);
+/// Throws ParameterError if the file that the option names is also one of the others that are
+/// written; an empty one is none.
+void check_other_outputs(std::string_view option, const std::string& file,
+                         std::span<const std::string> others);
 
 /// Throws if two of them name the same file, or a target cannot be written. An empty path is no
 /// file.

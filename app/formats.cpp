@@ -3,7 +3,6 @@
 #include "hodt/io/formats.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,13 +38,6 @@ std::vector<std::string_view> uses_of(const Format& format, const Column (&colum
   for (const Column& column : columns)
     if (can(format, column.use)) uses.push_back(column.title);
   return uses;
-}
-
-std::vector<std::string> extensions_of(const Format& format) {
-  std::istringstream words{std::string(format.extensions)};
-  std::vector<std::string> extensions;
-  for (std::string word; words >> word;) extensions.push_back(word);
-  return extensions;
 }
 
 std::vector<Row> table() {

@@ -111,10 +111,7 @@ void check_changes(const ChangesArguments& arguments, std::span<const std::strin
     if (file.empty()) continue;
     check_features_extension(file);
     for (const std::string& input : read) check_targets(input, file, {});
-    for (const std::string& other : others)
-      if (is_same_output(file, other))
-        throw ParameterError(
-            fmt::format("{} names {}, which is another output as well", option, file));
+    check_other_outputs(option, file, others);
     others.push_back(file);
   }
 }

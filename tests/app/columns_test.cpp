@@ -2,6 +2,7 @@
 #include <string>
 
 #include "command_fixture.h"
+#include "point_commands.h"
 
 namespace hodt::test {
 namespace {
@@ -10,24 +11,11 @@ namespace {
 const char* const kSurvey =
     "1,200,600.5,4,GND\n2,200,610,3,GND\n3,210,600,2,GND\n4,211,611,1,GND\n5,205,604,7,GND\n";
 
-/// What every subcommand that reads points does with them.
-const char* const kCommands[] = {"info %",
-                                 "triangulate % -o out.obj -k 1",
-                                 "edges % -k 1 -o out.csv",
-                                 "triangles % -k 1 -o out.csv",
-                                 "voronoi % -m 1 -o out.geojson",
-                                 "compare % --orders 1"};
-
-std::string with(const std::string& command, const std::string& input) {
-  const std::size_t at = command.find('%');
-  return command.substr(0, at) + input + command.substr(at + 1);
-}
-
 class ColumnsCommand : public CommandTest {};
 
 TEST_F(ColumnsCommand, are_chosen_and_told_alike_everywhere) {
   put("survey.txt", kSurvey);
-  for (const char* command : kCommands) {
+  for (const char* command : kPointCommands) {
     SCOPED_TRACE(command);
     expect_refused(with(command, "survey.txt"), "--columns x=2,y=3,z=4");
     expect_refused(with(command, "survey.txt --columns x=3,y=9"), "there is no column '9'");
@@ -101,7 +89,7 @@ TEST_F(ColumnsCommand, of_the_truth_are_chosen_apart) {
 TEST_F(ColumnsCommand, other_formats_are_called_by_name) {
   put("grid.txt", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n");
   put("mesh.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n");
-  for (const char* command : kCommands) {
+  for (const char* command : kPointCommands) {
     expect_refused(with(command, "grid.txt"), "grid.txt is a raster (ESRI ASCII grid)");
     // One that can be improved is no error, but this one holds nothing.
     const bool takes_meshes = std::string_view(command).starts_with("triangulate");

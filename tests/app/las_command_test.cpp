@@ -3,21 +3,10 @@
 #include <string>
 
 #include "command_fixture.h"
+#include "point_commands.h"
 
 namespace hodt::test {
 namespace {
-
-const char* const kCommands[] = {"info %",
-                                 "triangulate % -o out.obj -k 1",
-                                 "edges % -k 1 -o out.csv",
-                                 "triangles % -k 1 -o out.csv",
-                                 "voronoi % -m 1 -o out.geojson",
-                                 "compare % --orders 1"};
-
-std::string with(const std::string& command, const std::string& input) {
-  const std::size_t at = command.find('%');
-  return command.substr(0, at) + input + command.substr(at + 1);
-}
 
 class LasCommand : public CommandTest {
  protected:
@@ -27,7 +16,7 @@ class LasCommand : public CommandTest {
 };
 
 TEST_F(LasCommand, says_which_points_were_taken) {
-  for (const char* command : kCommands) {
+  for (const char* command : kPointCommands) {
     SCOPED_TRACE(command);
     const auto said = [&](const std::string& input) {
       const Outcome outcome = run(with(command, input));
@@ -65,7 +54,7 @@ TEST_F(LasCommand, says_it_in_the_json) {
 TEST_F(LasCommand, refuses_choices_of_other_files) {
   put("points.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n");
   put("mesh.obj", "v 0 0 4\nv 1 0 2\nv 0 1 0\nf 1 2 3\n");
-  for (const char* command : kCommands) {
+  for (const char* command : kPointCommands) {
     SCOPED_TRACE(command);
     expect_refused(with(command, "points.csv --las-class 2"), "points.csv is a table");
     expect_refused(with(command, "points.csv --las-return last"), "for LAS and LAZ files");
