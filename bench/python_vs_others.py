@@ -37,7 +37,8 @@ def packages():
 
         def insert(p):
             dt = startinpy.DT()
-            dt.insert(np.column_stack([p, np.zeros(len(p))]), insertionstrategy="AsIs")
+            dt.snap_tolerance = 1e-12  # its own joins points that are nearer than a millimetre
+            dt.insert(np.column_stack([p, np.zeros(len(p))]), insertionstrategy="BBox")
             return len(dt.triangles)
 
         found["startinpy"] = insert
