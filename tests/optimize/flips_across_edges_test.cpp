@@ -66,7 +66,7 @@ TEST_P(FlipsAcrossEdges, leave_none_that_is_better) {
       const Objective objective = objective_from_name(name);
       const EdgeValues values(objective, terrain.graph.xy, terrain.z());
       for (const Index k : {1u, 2u, 4u}) {
-        const TriangleMesh mesh = improved(terrain, objective, k, Moves::pairs);
+        const TriangleMesh mesh = improved(terrain, objective, k, Moves::triples);
         ASSERT_EQ(problem(terrain, mesh, k), "") << name << ' ' << k << ' ' << terrain.source();
         const double value = values.of(mesh);
         const auto is_gain = [&](double other) {
@@ -95,7 +95,7 @@ TEST(FlipsAcrossEdges, are_the_same_on_any_number_of_threads) {
       TriangleMesh first;
       for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
         const ThreadLimit limit(threads);
-        const TriangleMesh mesh = improved(terrain, objective, 4, Moves::pairs);
+        const TriangleMesh mesh = improved(terrain, objective, 4, Moves::triples);
         if (threads == 1) {
           first = mesh;
           EXPECT_EQ(problem(terrain, mesh, 4), "");
@@ -111,7 +111,7 @@ TEST(FlipsAcrossEdges, leave_no_flip_at_borders) {
   const Terrain terrain = rough_terrain(support::uniform(10'000, 7));
   const Objective objective = objective_from_name("min-sum-abn");
   const EdgeValues values(objective, terrain.graph.xy, terrain.z());
-  for (const Moves moves : {Moves::single, Moves::pairs}) {
+  for (const Moves moves : {Moves::single, Moves::triples}) {
     const TriangleMesh mesh = improved(terrain, objective, 3, moves);
     TriangleMesh again = mesh;
     improve_across_edges(terrain.graph, values, 3, Moves::single, {}, again);
@@ -124,7 +124,7 @@ TEST(FlipsAcrossEdges, end_at_a_deadline) {
   const Objective objective = objective_from_name("min-sum-abn");
   const EdgeValues values(objective, terrain.graph.xy, terrain.z());
   TriangleMesh mesh = terrain.delaunay.mesh;
-  improve_across_edges(terrain.graph, values, 4, Moves::pairs, Deadline(1e-4), mesh);
+  improve_across_edges(terrain.graph, values, 4, Moves::triples, Deadline(1e-4), mesh);
   EXPECT_EQ(problem(terrain, mesh, 4), "");
   EXPECT_LE(values.of(mesh), values.of(terrain.delaunay.mesh));
 }

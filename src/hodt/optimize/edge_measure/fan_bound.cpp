@@ -116,7 +116,7 @@ class BestFan {
   InvertedPoints inverted_;
   // The arcs by where they begin, and for each spoke the first of those; the places of the arcs by
   // where they end, and the first of those.
-  std::vector<Arc> arcs_, found_;
+  std::vector<Arc> arcs_, found_, candidates_;
   std::vector<EdgeValues::Gradient> gradients_;
   std::vector<Index> first_from_, first_to_, arc_to_, place_to_;
   // Of each arc: the spoke where it begins between each one that ends there and it.
@@ -150,18 +150,26 @@ void BestFan::gather_neighbours() {
 }
 
 void BestFan::find_arcs() {
+  // Without branches on what is a matter of chance.
+  candidates_.clear();
+  for (Index i = 0; i < size(); ++i) {
+    const auto greater = neighbours_.greater_of(VertexId(around_[i]));
+    std::size_t count = candidates_.size();
+    candidates_.resize(count + greater.size());
+    for (const Index w : greater) {
+      candidates_[count] = {i, place_[w]};
+      count += std::size_t{place_[w] != kNone};
+    }
+    candidates_.resize(count);
+  }
+  for (const Index w : around_) place_[w] = kNone;
   const Point& center = graph_.point(center_);
   found_.clear();
-  for (Index i = 0; i < size(); ++i)
-    for (const Index w : neighbours_.greater_of(VertexId(around_[i]))) {
-      const Index j = place_[w];
-      if (j == kNone) continue;
-      const int turn = orient(center, point(i), point(j));
-      if (turn == 0) continue;
-      const Arc arc = turn > 0 ? Arc{i, j} : Arc{j, i};
-      if (can_be_in_fan(arc.from, arc.to)) found_.push_back(arc);
-    }
-  for (const Index w : around_) place_[w] = kNone;
+  for (const auto& [i, j] : candidates_) {
+    const int turn = orient(center, point(i), point(j));
+    const Arc arc{turn > 0 ? i : j, turn > 0 ? j : i};
+    if (turn != 0 && can_be_in_fan(arc.from, arc.to)) found_.push_back(arc);
+  }
   sort_arcs();
 }
 
@@ -169,9 +177,10 @@ void BestFan::find_arcs() {
 /// count that are reached.)
 bool BestFan::can_be_in_fan(Index from, Index to) const {
   if (size() > kMany) return true;
+  if (!graph_.has_walls() && inverted_.count_inside(from, to) > order_) return false;
   for (Index i = from + 1 == size() ? 0 : from + 1; i != to; i = i + 1 == size() ? 0 : i + 1)
     if (orient(point(from), point(to), point(i)) > 0) return false;
-  return graph_.has_walls() || inverted_.count_inside(from, to) <= order_;
+  return true;
 }
 
 void BestFan::sort_arcs() {

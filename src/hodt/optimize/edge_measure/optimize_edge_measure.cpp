@@ -262,6 +262,7 @@ MeasuredSolution Optimizer::choose_diagonals() {
 
 /// By flips, from there.
 MeasuredSolution Optimizer::improve(const MeasuredSolution& first_order) {
+  gradients_ = {}, quadrilaterals_ = {}, quadrilateral_ = {};  // their memory is wanted
   TriangleMesh mesh = first_order.change.applied_to(delaunay_);
   double result = improve(mesh), bound = 0;
   try {
@@ -276,7 +277,7 @@ MeasuredSolution Optimizer::improve(const MeasuredSolution& first_order) {
 }
 
 double Optimizer::improve(TriangleMesh& mesh) const {
-  const Moves moves = problem_.method == Method::flip ? Moves::single : Moves::pairs;
+  const Moves moves = problem_.method == Method::flip ? Moves::single : Moves::triples;
   improve_across_edges(graph_, values_, problem_.order, moves, problem_.deadline, mesh);
   return values_.of(mesh);
 }

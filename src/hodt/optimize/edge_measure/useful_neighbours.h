@@ -13,7 +13,7 @@ namespace hodt {
 
 /// For every vertex the other ends of its useful edges, those first that have more of them than
 /// itself (of equals, a larger number): few have, whatever a vertex is a hub to. 8 bytes an edge
-/// and 16 a vertex.
+/// and 12 a vertex.
 class UsefulNeighbours {
  public:
   /// Throws TimeIsUp if the deadline passes.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -45,26 +44,36 @@ struct Change {
   }
 };
 
-/// Whether the values after a change are better: by the sum, or lexicographically by the sorted
-/// values, the one that counts most first.
-bool is_better(const Aggregator& aggregator, const Change& change, const double* values) {
+/// What a change gains of a sum, and how large the numbers are that this is the difference of.
+struct Gain {
+  double gain = 0, scale = 0;
+
+  Gain plus(const Gain& other) const { return {gain + other.gain, scale + other.scale}; }
+  /// What rounding can have made of equal sums is none.
+  bool is_real() const { return gain > 1e-13 * scale; }
+};
+
+Gain gain_of_sum(const Aggregator& aggregator, const Change& change, const double* values) {
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < change.size; ++i) {
+    before += values[change.before[i]];
+    after += values[change.after[i]];
+  }
+  return {aggregator.sign() * (before - after), before + after};
+}
+
+/// Whether the sorted values after a change are lexicographically better, the one that counts most
+/// first.
+bool is_better_sorted(const Aggregator& aggregator, const Change& change, const double* values) {
   std::array<double, 7> before, after;
   for (std::size_t i = 0; i < change.size; ++i) {
     before[i] = values[change.before[i]];
     after[i] = values[change.after[i]];
   }
-  const auto sum = [&](const std::array<double, 7>& v) {
-    return std::accumulate(v.begin(), v.begin() + change.size, 0.0);
-  };
-  const Aggregate aggregate = aggregator.objective().aggregate;
-  if (aggregate == Aggregate::sum) {
-    const double old = sum(before), fresh = sum(after);
-    // What rounding can have made of equal sums is no gain.
-    return aggregator.better(fresh, old) && std::fabs(fresh - old) > 1e-13 * fresh + 1e-13 * old;
-  }
   for (std::array<double, 7>* const v : {&before, &after}) {
     std::sort(v->begin(), v->begin() + change.size);
-    if (aggregate == Aggregate::max) std::reverse(v->begin(), v->begin() + change.size);
+    if (aggregator.objective().aggregate == Aggregate::max)
+      std::reverse(v->begin(), v->begin() + change.size);
   }
   for (std::size_t i = 0; i < change.size; ++i)
     if (before[i] != after[i]) return aggregator.better(after[i], before[i]);
@@ -94,6 +103,9 @@ class Mover {
   void run(const Block& block, std::span<const HalfEdgeId> edges, std::vector<HalfEdgeId>& left);
 
  private:
+  /// Of all that it changes, before and after together.
+  static constexpr double kMostLoss = 0.2;
+
   /// A side of the quadrilateral around an edge ab, with triangles abc and bad. It runs from p to
   /// q, counter-clockwise, and is in the triangle pqr once ab is flipped.
   struct Side {
@@ -116,15 +128,26 @@ class Mover {
     Change change;            // by both flips
   };
 
+  /// A flip that was made, and what its triangles' gradients were.
+  struct Made {
+    HalfEdgeId h;
+    std::array<TriangleId, 2> triangles;
+    std::array<Gradient, 2> gradients;
+  };
+
   void push(HalfEdgeId h);
   void push_around(HalfEdgeId h);
   void empty_queue(Moves moves);
-  void improve(HalfEdgeId h, Moves moves);
+  bool improve(HalfEdgeId h, Moves moves);
+  bool improve_by_pairs(const Flip& flip, const Gain& so_far);
+  bool improve_by_triples(const Flip& flip, const Gain& first);
   bool find(HalfEdgeId h, Flip& flip);
   bool find(const Flip& flip, int side, SecondFlip& second);
-  bool is_valid(const Flip& flip, int side, const SecondFlip& second);
-  void improve_by_pairs(const Flip& flip);
+  bool is_better(const Change& change, const Gain& so_far, const double* values) const;
   void make(HalfEdgeId h, const Gradient& with_origin, const Gradient& with_target);
+  void undo();
+  bool keep_if_valid();
+  bool are_valid();
 
   bool is_left(VertexId a, VertexId b, VertexId c) const {
     return orient(s_.graph.point(a), s_.graph.point(b), s_.graph.point(c)) > 0;
@@ -132,9 +155,6 @@ class Mover {
   /// Whether ab can be replaced by dc where the triangles are abc and bad.
   bool can_flip(VertexId a, VertexId b, VertexId c, VertexId d) const {
     return is_left(a, d, c) && is_left(b, c, d) && !s_.graph.is_wall(a, b);
-  }
-  bool is_valid(VertexId a, VertexId b, VertexId c) {
-    return counter_.count(a, b, c, s_.k) <= s_.k;
   }
   const Gradient& gradient(HalfEdgeId h) const { return s_.gradients[TriangleMesh::triangle(h)]; }
   /// Takes up an edge to be measured; returns where its value will be.
@@ -160,6 +180,8 @@ class Mover {
   Block block_;
   std::vector<HalfEdgeId> queue_;
   std::vector<HalfEdgeId>* left_ = nullptr;
+  std::vector<Made> made_;    // of the move that is tried
+  bool reaches_out_ = false;  // a move would leave the block
 };
 
 void Mover::push(HalfEdgeId h) {
@@ -191,7 +213,7 @@ void Mover::run(const Block& block, std::span<const HalfEdgeId> edges,
   empty_queue(Moves::single);
   if (s_.moves == Moves::single) return;
   for (const HalfEdgeId h : edges) push(h);
-  empty_queue(Moves::pairs);
+  empty_queue(s_.moves);
 }
 
 void Mover::empty_queue(Moves moves) {
@@ -204,25 +226,34 @@ void Mover::empty_queue(Moves moves) {
     const HalfEdgeId h = queue_.back();
     queue_.pop_back();
     s_.is_queued[h] = false;
-    improve(h, moves);
+    reaches_out_ = false;
+    if (!improve(h, moves) && reaches_out_) left_->push_back(h);
   }
   queue_.clear();
 }
 
 /// Makes a move that begins with a flip of h, if there is one.
-void Mover::improve(HalfEdgeId h, Moves moves) {
-  if (mesh_.is_boundary(h)) return;  // since it was queued, it came to name another edge
+bool Mover::improve(HalfEdgeId h, Moves moves) {
+  if (mesh_.is_boundary(h)) return false;  // since it was queued, it came to name another edge
   Flip flip;
-  if (!find(h, flip)) return;
-  if (is_better(s_.values, flip.change, many_.measure(size_, 0, 0)) &&
-      is_valid(flip.a, flip.d, flip.c) && is_valid(flip.b, flip.c, flip.d)) {
-    const HalfEdgeId twin = mesh_.twin(h);
+  if (!find(h, flip)) return false;
+  const double* const values = many_.measure(size_, 0, 0);
+  const Gain gain = gain_of_sum(s_.values, flip.change, values);
+  if (is_better(flip.change, {}, values)) {
     make(h, flip.with_a, flip.with_b);
-    push_around(h);
-    push_around(twin);
-  } else if (moves == Moves::pairs) {
-    improve_by_pairs(flip);
+    if (keep_if_valid()) return true;
   }
+  // What makes a sum much worse is no beginning.
+  if (moves == Moves::single || (s_.values.is_sum() && -gain.gain > kMostLoss * gain.scale))
+    return false;
+  if (improve_by_pairs(flip, {})) return true;
+  return moves == Moves::triples && s_.values.is_sum() && improve_by_triples(flip, gain);
+}
+
+/// Of both flips, or of a sum, of all.
+bool Mover::is_better(const Change& change, const Gain& so_far, const double* values) const {
+  return s_.values.is_sum() ? gain_of_sum(s_.values, change, values).plus(so_far).is_real()
+                            : is_better_sorted(s_.values, change, values);
 }
 
 /// False if there is none, or none in this block alone.
@@ -231,7 +262,7 @@ bool Mover::find(HalfEdgeId h, Flip& flip) {
   const VertexId a = mesh_.origin(h), b = mesh_.target(h);
   const VertexId c = mesh_.apex(h), d = mesh_.apex(twin);
   if (!block_.has(a) || !block_.has(b) || !block_.has(c) || !block_.has(d)) {
-    left_->push_back(h);
+    reaches_out_ = true;
     return false;
   }
   if (!can_flip(a, b, c, d)) return false;
@@ -263,7 +294,7 @@ bool Mover::find(const Flip& flip, int side, SecondFlip& second) {
   const HalfEdgeId beyond = mesh_.twin(h);
   const VertexId e = mesh_.apex(beyond);
   if (!block_.has(e)) {
-    left_->push_back(flip.h);
+    reaches_out_ = true;
     return false;
   }
   if (!can_flip(p, q, r, e)) return false;
@@ -288,36 +319,82 @@ bool Mover::find(const Flip& flip, int side, SecondFlip& second) {
   return true;
 }
 
-bool Mover::is_valid(const Flip& flip, int side, const SecondFlip& second) {
-  const auto& [h, flipped, p, q, r, before, after] = flip.sides[side];
-  const bool is_rest_valid =
-      side < 2 ? is_valid(flip.a, flip.d, flip.c) : is_valid(flip.b, flip.c, flip.d);
-  return is_rest_valid && is_valid(p, second.e, r) && is_valid(q, r, second.e);
-}
-
-void Mover::improve_by_pairs(const Flip& flip) {
+/// By a flip and another one of a side, after what was gained so far.
+bool Mover::improve_by_pairs(const Flip& flip, const Gain& so_far) {
   std::array<SecondFlip, 4> seconds;
   std::array<bool, 4> is_found;
   for (int i = 0; i < 4; ++i) is_found[i] = find(flip, i, seconds[i]);
   const double* const values = many_.measure(size_, 0, 0);
   for (int i = 0; i < 4; ++i) {
-    if (!is_found[i] || !is_better(s_.values, seconds[i].change, values) ||
-        !is_valid(flip, i, seconds[i]))
-      continue;
-    const HalfEdgeId twin = mesh_.twin(flip.h), h = flip.sides[i].flipped;
+    if (!is_found[i] || !is_better(seconds[i].change, so_far, values)) continue;
     make(flip.h, flip.with_a, flip.with_b);
-    const HalfEdgeId beyond = mesh_.twin(h);
-    make(h, seconds[i].with_p, seconds[i].with_q);
-    for (const HalfEdgeId changed : {i < 2 ? flip.h : twin, h, beyond}) push_around(changed);
-    return;
+    make(flip.sides[i].flipped, seconds[i].with_p, seconds[i].with_q);
+    if (keep_if_valid()) return true;
+    undo();
   }
+  return false;
+}
+
+/// By such a pair after the flip.
+bool Mover::improve_by_triples(const Flip& flip, const Gain& first) {
+  make(flip.h, flip.with_a, flip.with_b);
+  for (const Side& side : flip.sides) {
+    Flip second;
+    if (mesh_.is_boundary(side.flipped) || !find(side.flipped, second)) continue;
+    if (improve_by_pairs(second, first)) return true;
+  }
+  undo();
+  return false;
 }
 
 /// Flips h; the triangle of h is then the one with its origin.
 void Mover::make(HalfEdgeId h, const Gradient& with_origin, const Gradient& with_target) {
-  s_.gradients[TriangleMesh::triangle(h)] = with_origin;
-  s_.gradients[TriangleMesh::triangle(mesh_.twin(h))] = with_target;
+  const TriangleId t = TriangleMesh::triangle(h), u = TriangleMesh::triangle(mesh_.twin(h));
+  made_.push_back({h, {t, u}, {s_.gradients[t], s_.gradients[u]}});
+  s_.gradients[t] = with_origin;
+  s_.gradients[u] = with_target;
   mesh_.flip(h);
+}
+
+/// Takes the last flip back, with all the names that there were.
+void Mover::undo() {
+  const auto& [h, triangles, gradients] = made_.back();
+  const HalfEdgeId after = TriangleMesh::next(h), across = mesh_.twin(after);
+  const HalfEdgeId twin = TriangleMesh::prev(across);
+  const VertexId a = mesh_.origin(h), b = mesh_.origin(twin);
+  const HalfEdgeId outside_ad = mesh_.twin(h), outside_bc = mesh_.twin(twin);
+  mesh_.set_origin(after, b);
+  mesh_.set_origin(across, a);
+  mesh_.glue(h, twin);
+  mesh_.glue(after, outside_bc);
+  mesh_.glue(across, outside_ad);
+  for (int i = 0; i < 2; ++i) s_.gradients[triangles[i]] = gradients[i];
+  made_.pop_back();
+}
+
+/// Ends the move that was made; else takes its last flip back.
+bool Mover::keep_if_valid() {
+  if (!are_valid()) {
+    undo();
+    return false;
+  }
+  for (const Made& made : made_)
+    for (const TriangleId t : made.triangles) push_around(TriangleMesh::halfedge(t));
+  made_.clear();
+  return true;
+}
+
+bool Mover::are_valid() {
+  for (std::size_t i = made_.size(); i-- > 0;)
+    for (const TriangleId t : made_[i].triangles) {
+      const auto is_counted = [&](const Made& made) {
+        return made.triangles[0] == t || made.triangles[1] == t;
+      };
+      if (std::any_of(made_.begin() + std::ptrdiff_t(i + 1), made_.end(), is_counted)) continue;
+      const auto [a, b, c] = mesh_.corners(t);
+      if (counter_.count(a, b, c, s_.k) > s_.k) return false;
+    }
+  return true;
 }
 
 /// From one level of blocks to the next, larger one, edges that reached out of a block are within

@@ -11,8 +11,9 @@
 namespace hodt {
 
 enum class Moves : std::uint8_t {
-  single,  ///< one flip
-  pairs,   ///< also two flips of which the first, alone, makes it worse or is not valid
+  single,   ///< one flip
+  pairs,    ///< also two flips of which the first, alone, makes it worse or is not valid
+  triples,  ///< for sums also three
 };
 
 /// Flips as long as one, or two together, make the mesh better for the objective and leave
