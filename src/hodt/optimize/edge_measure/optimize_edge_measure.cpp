@@ -7,7 +7,8 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/optimize/edge_measure/edge_bound.h"
-#include "hodt/optimize/flip/flips.h"
+#include "hodt/optimize/edge_measure/fan_bound.h"
+#include "hodt/optimize/flip/flips_across_edges.h"
 #include "hodt/optimize/measure/edge_measures.h"
 #include "hodt/optimize/measure/trivial_bound.h"
 #include "hodt/optimize/solve/choices.h"
@@ -71,6 +72,8 @@ class Optimizer {
   Total add_costs(Choices& choices) const;
   void add_diagonals(Choices& choices) const;
   MeasuredSolution improve(const MeasuredSolution& first_order);
+  double improve(TriangleMesh& mesh) const;
+  double search_on(TriangleMesh& mesh, double& result) const;
 
   const MeasureProblem& problem_;
   const DelaunayGraph& graph_;
@@ -257,27 +260,38 @@ MeasuredSolution Optimizer::choose_diagonals() {
   return measured(values_, MeshChange(std::move(flips)), before, after, bound);
 }
 
-/// By flips, from there and from what the bound suggests.
+/// By flips, from there.
 MeasuredSolution Optimizer::improve(const MeasuredSolution& first_order) {
-  const auto improve = [&](TriangleMesh& mesh) {
-    improve_by_flips(graph_, values_, problem_.order, problem_.deadline, mesh);
-    return values_.of(mesh);
-  };
+  gradients_ = {}, quadrilaterals_ = {}, quadrilateral_ = {};  // their memory is wanted
   TriangleMesh mesh = first_order.change.applied_to(delaunay_);
   double result = improve(mesh), bound = 0;
   try {
-    EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, result,
-                                              problem_.deadline, problem_.method == Method::exact);
-    bound = suggestion.bound;
-    const double other = problem_.method == Method::flip ? result : improve(suggestion.mesh);
-    if (values_.better(other, result)) {
-      result = other;
-      mesh = std::move(suggestion.mesh);
-    }
+    if (values_.is_sum() && problem_.method != Method::exact)
+      bound = bound_by_fans(graph_, values_, problem_.order, problem_.deadline);
+    else
+      bound = search_on(mesh, result);
   } catch (const TimeIsUp&) {
     bound = trivial_bound(problem_.objective, graph_.xy, delaunay_);
   }
   return measured(values_, MeshChange(std::move(mesh)), first_order.delaunay, result, bound);
+}
+
+double Optimizer::improve(TriangleMesh& mesh) const {
+  const Moves moves = problem_.method == Method::flip ? Moves::single : Moves::triples;
+  improve_across_edges(graph_, values_, problem_.order, moves, problem_.deadline, mesh);
+  return values_.of(mesh);
+}
+
+/// From what a more thorough bound suggests.
+double Optimizer::search_on(TriangleMesh& mesh, double& result) const {
+  EdgeBound suggestion = bound_across_edges(graph_, values_, problem_.order, result,
+                                            problem_.deadline, problem_.method == Method::exact);
+  const double other = problem_.method == Method::flip ? result : improve(suggestion.mesh);
+  if (values_.better(other, result)) {
+    result = other;
+    mesh = std::move(suggestion.mesh);
+  }
+  return suggestion.bound;
 }
 
 }  // namespace

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -166,46 +164,6 @@ class FewerExtrema {
   std::array<Buffer<Index>, 2> removers_;  // of every vertex, as a minimum and as a maximum
 };
 
-/// What a flip changes; 0 where there is no such edge, before and after.
-using FiveValues = std::array<double, 5>;
-
-/// By the sum, or lexicographically by the sorted values, the one that counts most first.
-bool better_values(const Aggregator& aggregator, FiveValues fresh, FiveValues old) {
-  const Aggregate aggregate = aggregator.objective().aggregate;
-  if (aggregate == Aggregate::sum) {
-    const double sum = std::accumulate(fresh.begin(), fresh.end(), 0.0);
-    const double before = std::accumulate(old.begin(), old.end(), 0.0);
-    // What rounding can have made of equal sums is no gain.
-    return aggregator.better(sum, before) && std::fabs(sum - before) > 1e-13 * sum + 1e-13 * before;
-  }
-  for (FiveValues* values : {&fresh, &old}) {
-    std::sort(values->begin(), values->end());
-    if (aggregate == Aggregate::max) std::reverse(values->begin(), values->end());
-  }
-  for (std::size_t i = 0; i < fresh.size(); ++i)
-    if (fresh[i] != old[i]) return aggregator.better(fresh[i], old[i]);
-  return false;
-}
-
-bool better_across_edges(const EdgeValues& values, const TriangleMesh& mesh, HalfEdgeId h,
-                         const Quadrilateral& q) {
-  FiveValues fresh{values.of(q.d, q.c, q.a, q.b)}, old{values.of(q.a, q.b, q.c, q.d)};
-  std::size_t count = 1;
-  const HalfEdgeId twin = mesh.twin(h);
-  // Each side, and the corner that its triangle has after the flip.
-  const std::pair<HalfEdgeId, VertexId> sides[] = {{TriangleMesh::next(h), q.d},
-                                                   {TriangleMesh::prev(h), q.d},
-                                                   {TriangleMesh::next(twin), q.c},
-                                                   {TriangleMesh::prev(twin), q.c}};
-  for (const auto& [side, apex] : sides) {
-    if (mesh.is_boundary(side)) continue;
-    const VertexId beyond = mesh.apex(mesh.twin(side));
-    fresh[count] = values.of(mesh.origin(side), mesh.target(side), apex, beyond);
-    old[count++] = values.of(mesh, side);
-  }
-  return better_values(values, fresh, old);
-}
-
 }  // namespace
 
 void improve_by_flips(const DelaunayGraph& graph, const TriangleValues& values, Index k,
@@ -213,14 +171,6 @@ void improve_by_flips(const DelaunayGraph& graph, const TriangleValues& values, 
   const auto better = [&](const TriangleMesh&, HalfEdgeId, const Quadrilateral& q) {
     return values.better_pair(values.of(q.a, q.d, q.c), values.of(q.b, q.c, q.d),
                               values.of(q.a, q.b, q.c), values.of(q.b, q.a, q.d));
-  };
-  Flipper(graph, k, better, mesh).run(deadline);
-}
-
-void improve_by_flips(const DelaunayGraph& graph, const EdgeValues& values, Index k,
-                      const Deadline& deadline, TriangleMesh& mesh) {
-  const auto better = [&](const TriangleMesh& m, HalfEdgeId h, const Quadrilateral& q) {
-    return better_across_edges(values, m, h, q);
   };
   Flipper(graph, k, better, mesh).run(deadline);
 }

@@ -4,7 +4,6 @@
 
 #include "hodt/base/deadline.h"
 #include "hodt/geometry/heights.h"
-#include "hodt/optimize/measure/edge_measures.h"
 #include "hodt/optimize/measure/measures.h"
 #include "hodt/order/delaunay_graph.h"
 
@@ -15,10 +14,6 @@ namespace hodt {
 /// must be a triangulation of the graph's points of order at most k, with the same half-edges on
 /// the boundary. Each flip improves the sorted values of all triangles, so it ends.
 void improve_by_flips(const DelaunayGraph& graph, const TriangleValues& values, Index k,
-                      const Deadline& deadline, TriangleMesh& mesh);
-
-/// The same for a measure of edges; what a flip changes is the diagonal and the four sides.
-void improve_by_flips(const DelaunayGraph& graph, const EdgeValues& values, Index k,
                       const Deadline& deadline, TriangleMesh& mesh);
 
 /// The same for vertex degrees: the sorted degrees, the largest first, become lexicographically

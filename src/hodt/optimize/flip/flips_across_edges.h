@@ -1,0 +1,29 @@
+// Flips that improve a triangulation for a measure across edges, alone or two together, on all
+// cores. Tested by tests/optimize/flips_across_edges_test.cpp.
+#pragma once
+
+#include <cstdint>
+
+#include "hodt/base/deadline.h"
+#include "hodt/optimize/measure/edge_measures.h"
+#include "hodt/order/delaunay_graph.h"
+
+namespace hodt {
+
+enum class Moves : std::uint8_t {
+  single,   ///< one flip
+  pairs,    ///< also two flips of which the first, alone, makes it worse or is not valid
+  triples,  ///< for sums also three
+};
+
+/// Flips as long as one, or two together, make the mesh better for the objective and leave
+/// triangles of order at most k, or until the deadline passes. A flip changes the values of the
+/// diagonal and of the four sides; better is a smaller sum of them, or for largest and smallest
+/// values lexicographically smaller sorted ones. So every move improves the sum, or the sorted
+/// values of all edges, and it ends. The mesh must be a triangulation of the graph's points of
+/// order at most k, with the same half-edges on the boundary. The same result on any number of
+/// threads.
+void improve_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index k,
+                          Moves moves, const Deadline& deadline, TriangleMesh& mesh);
+
+}  // namespace hodt
