@@ -104,7 +104,7 @@ class InOrder {
     for (std::size_t i = 1; i < objectives_.size(); ++i) {
       const Optimum alone = optimize(graph_, z_, objectives_[i], options_);
       if (options_.progress) options_.progress("objectives in order", -1);
-      improve_in_order(problem(i + 1), alone.change.applied_to(graph_.mesh), mesh_);
+      add(i, alone.change.applied_to(graph_.mesh));
       result.then.push_back({objectives_[i], alone.value, false});
     }
     const bool is_best = order() == 1 && solve_first_order();
@@ -136,9 +136,20 @@ class InOrder {
     value.result = this->value(i, mesh_);
     value.optimal = meets(objectives_[i], value.result, value.bound);
   }
-  /// Whether a mesh is better than another by the first objective that can tell.
-  bool is_better(const TriangleMesh& mesh, const TriangleMesh& other) const {
-    for (std::size_t i = 0; i < objectives_.size(); ++i)
+  /// Makes the mesh good for one more objective, which `best` is best for: beginning with the mesh,
+  /// and with what is best once as little as it takes is as in the mesh.
+  void add(std::size_t i, const TriangleMesh& best) {
+    TriangleMesh other = best;
+    exchange_in_order(problem(i), mesh_, other);
+    improve_in_order(problem(i + 1), best, mesh_);
+    // What is best alone need not have the minima that are to stay.
+    if (!options_.keep.empty() || is_better(mesh_, other, i)) return;
+    improve_in_order(problem(i + 1), best, other);
+    if (is_better(other, mesh_, i + 1)) mesh_ = std::move(other);
+  }
+  /// Whether a mesh is better than another by the first objective that can tell, of so many.
+  bool is_better(const TriangleMesh& mesh, const TriangleMesh& other, std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i)
       if (const double x = value(i, mesh), y = value(i, other); x != y)
         return hodt::is_better(objectives_[i], x, y);
     return false;
@@ -147,7 +158,7 @@ class InOrder {
   bool solve_first_order() {
     FirstOrderInOrder solved = first_order_in_order(problem(objectives_.size()), mesh_);
     // By sums, as they are before rounding, nothing is better than the best.
-    if (!solved.is_best && is_better(mesh_, solved.mesh)) return false;
+    if (!solved.is_best && is_better(mesh_, solved.mesh, objectives_.size())) return false;
     mesh_ = std::move(solved.mesh);
     return solved.is_best;
   }

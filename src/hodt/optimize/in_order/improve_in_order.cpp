@@ -29,6 +29,8 @@ class Improver {
       standings_.push_back(standing_of(objective, graph_.xy, problem.z, problem.kept, mesh));
   }
 
+  void exchange_only(const TriangleMesh& other) { exchange_all(other); }
+
   void run(const TriangleMesh& other) {
     flip_all();
     for (int round = 0; round < kMostRounds; ++round)
@@ -169,6 +171,11 @@ bool Improver::exchange_all(const TriangleMesh& other) {
 void improve_in_order(const OrderedProblem& problem, const TriangleMesh& other,
                       TriangleMesh& mesh) {
   Improver(problem, mesh).run(other);
+}
+
+void exchange_in_order(const OrderedProblem& problem, const TriangleMesh& other,
+                       TriangleMesh& mesh) {
+  Improver(problem, mesh).exchange_only(other);
 }
 
 }  // namespace hodt

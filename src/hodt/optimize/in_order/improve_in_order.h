@@ -27,4 +27,8 @@ struct OrderedProblem {
 /// worse. Both meshes are triangulations of that order; `other` is good for the last objective.
 void improve_in_order(const OrderedProblem& problem, const TriangleMesh& other, TriangleMesh& mesh);
 
+/// The same by regions alone: few are exchanged where `mesh` is good for what is to come next.
+void exchange_in_order(const OrderedProblem& problem, const TriangleMesh& other,
+                       TriangleMesh& mesh);
+
 }  // namespace hodt
