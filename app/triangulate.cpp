@@ -77,14 +77,31 @@ Json extrema_json(const Report& report, SplitCount ExtremaCount::*count) {
           {"result", to_json((*report.extrema_result).*count)}};
 }
 
+Json value_json(const Value& value) {
+  return {{"delaunay", to_json(value.delaunay)},
+          {"result", to_json(value.result)},
+          {"bound", to_json(value.bound)},
+          {"optimal", value.optimal}};
+}
+
 Json value_json(const Report& report) {
   if (!report.value) return nullptr;
-  Json json = {{"delaunay", to_json(report.value->delaunay)},
-               {"result", to_json(report.value->result)},
-               {"bound", to_json(report.value->bound)},
-               {"optimal", report.value->optimal}};
+  Json json = value_json(*report.value);
   if (report.given) json["input"] = to_json(report.given->value);
   return json;
+}
+
+/// Of the objectives that are not the first.
+Json then_json(const Report& report) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < report.then.size(); ++i) {
+    const LaterValue& later = report.then[i];
+    Json value = value_json(later.value);
+    value["bound_in_order"] = later.is_bound_in_order;
+    if (report.given) value["input"] = to_json(report.given->then[i]);
+    list.push_back({{"objective", name_of(later.objective)}, {"value", std::move(value)}});
+  }
+  return list;
 }
 
 /// Of a sum of angles.
@@ -123,6 +140,7 @@ Json report_json(const Report& report, const Order& k, const Source& source,
           {"kept", report.kept},
           {"polygons_without_points", report.empty_polygons},
           {"value", value_json(report)},
+          {"then", then_json(report)},
           {"mean", mean_json(report)},
           {"local_minima", extrema_json(report, &ExtremaCount::minima)},
           {"local_maxima", extrema_json(report, &ExtremaCount::maxima)},
@@ -159,15 +177,23 @@ std::string summary(const Report& report, const Source& source, const std::strin
                             : "");
   text += fmt::format("{:<13} {}, of order {} at most (allowed: {})\n", "triangles",
                       report.triangles, report.order, parse_order(arguments.order).digits);
+  const auto value_line = [&](const Objective& objective, double given, const Value& value) {
+    return fmt::format("{:<13} {}{} -> {}, proven bound {}{}", name_of(objective),
+                       report.given ? fmt::format("{} (input), ", given) : "", value.delaunay,
+                       value.result, value.bound, value.optimal ? ": optimal" : "");
+  };
   if (report.value) {
-    text += fmt::format("{:<13} {}{} -> {}, proven bound {}{}\n", name_of(report.objective),
-                        report.given ? fmt::format("{} (input), ", report.given->value) : "",
-                        report.value->delaunay, report.value->result, report.value->bound,
-                        report.value->optimal ? ": optimal" : "");
+    text +=
+        value_line(report.objective, report.given ? report.given->value : 0, *report.value) + "\n";
     if (const std::optional<double> count = angles_in_sum(report))
       text += fmt::format("{:<13} {:.4f}° -> {:.4f}°, proven bound {:.4f}°\n", "mean angle",
                           report.value->delaunay / *count, report.value->result / *count,
                           report.value->bound / *count);
+    for (std::size_t i = 0; i < report.then.size(); ++i) {
+      const LaterValue& later = report.then[i];
+      text += value_line(later.objective, report.given ? report.given->then[i] : 0, later.value) +
+              (later.is_bound_in_order || later.value.optimal ? "\n" : " (whatever is before)\n");
+    }
   }
   if (arguments.keep.any())
     text += fmt::format("{:<13} {}\n", "kept", kept_text(report.kept, report.empty_polygons));
@@ -183,9 +209,12 @@ std::string summary(const Report& report, const Source& source, const std::strin
 TriangulateOptions options_of(const Arguments& arguments) {
   TriangulateOptions options;
   options.order = parse_order(arguments.order).limit;
-  options.objective = objective_from_name(arguments.objective);
+  options.then = objectives_from_names(arguments.objective);
+  options.objective = options.then.front();
+  options.then.erase(options.then.begin());
   options.method = method_from_name(arguments.method);
   check_method(options.method, options.objective);
+  for (const Objective& objective : options.then) check_method(options.method, objective);
   options.time_limit = parse_seconds(arguments.time_limit);
   read_keep(arguments.keep, arguments.input, options);
   return options;
@@ -284,7 +313,8 @@ void add_triangulate(CLI::App& app, Action& action) {
       ->type_name("K");
   command
       .add_option("--objective", arguments->objective,
-                  "What to optimise (default: min-local-minima)")
+                  "What to optimise (default: min-local-minima); of a list A,B or A,B,C then B\n"
+                  "among the triangulations that are as good for A, and so on")
       ->type_name("OBJ");
   command
       .add_option("--method", arguments->method,
@@ -311,6 +341,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       "  hodt triangulate tile1.tif tile2.tif --stride 2 -o tiles.ply\n"
       "  hodt triangulate survey.gpkg --layer spots --z-field height -o survey.ply\n"
       "  hodt triangulate mesh.ply -o better.ply --objective min-max-angle\n"
+      "  hodt triangulate survey.csv -o smooth.ply --objective min-local-minima,min-sum-abn\n"
       "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o "
       "site.ply\n"
       "  hodt triangulate tile.laz -o dem.tif --resolution 1 --hillshade shade.tif\n"

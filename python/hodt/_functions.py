@@ -44,7 +44,9 @@ def triangulate(points, k=4, objective="min-local-minima", *, constraints=None, 
     objective: "min-local-minima", "min-local-maxima", "min-local-extrema", "min-max-degree", "none",
         or "<min|max>-<sum|max|min>-MEASURE" with MEASURE one of area, angle, small-angle,
         circumradius, enclosing-radius, inradius, length, flat-area, abn, jnd, wabn (angles in
-        degrees, the others in units of the points); or a hodt.Measure.
+        degrees, the others in units of the points); or a hodt.Measure. Of names with commas between,
+        two or three, each counts among the triangulations that are as good for those before it;
+        result.then has the values of those after the first.
     constraints: hodt.Constraints, for points.
     method: "auto", "greedy" (for extrema), "flip" or "exact".
     time_limit: seconds that searching may take; 0 is a fixed amount of work.

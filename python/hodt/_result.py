@@ -34,10 +34,11 @@ class Result:
 
     def _rows(self):
         rows = [("triangles", f"{self.triangles}, of order {self.order} at most")]
-        if self.value is not None:
-            value = self.value
+        first = [{"objective": self.objective, "value": self.value}] if self.value is not None else []
+        for each in first + self.then:
+            value = each["value"]
             reached = " (optimal)" if value["optimal"] else ""
-            rows.append((self.objective, f"{value['delaunay']:.10g} → {value['result']:.10g}, "
+            rows.append((each["objective"], f"{value['delaunay']:.10g} → {value['result']:.10g}, "
                          f"bound {value['bound']:.10g}{reached}"))
         for name in ("local_minima", "local_maxima", "pits"):
             if (counts := self.report[name]) is not None:

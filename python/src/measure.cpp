@@ -149,7 +149,9 @@ class OwnMeasure::Answers {
 
 OwnMeasure::OwnMeasure(nb::handle objective) {
   if (nb::isinstance<nb::str>(objective)) {
-    objective_ = objective_from_name(nb::cast<std::string>(objective));
+    then_ = objectives_from_names(nb::cast<std::string>(objective));
+    objective_ = then_.front();
+    then_.erase(then_.begin());
     return;
   }
   const auto name = nb::cast<std::string>(objective.attr("name"));

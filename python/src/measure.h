@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <nanobind/nanobind.h>
 
@@ -15,10 +16,10 @@ namespace hodt::python {
 
 namespace nb = nanobind;
 
-/// The objective that a name or a hodt.Measure stands for. The library asks measures for one
-/// triangle at a time, and Python answers for a million in no more than some thousand times that.
-/// So prepare() asks for all triangles that a triangulation of the order can have, and keeps the
-/// answers; any other question goes to Python by itself.
+/// The objective that a name or a hodt.Measure stands for, or the objectives that names do. The
+/// library asks measures for one triangle at a time, and Python answers for a million in no more
+/// than some thousand times that. So prepare() asks for all triangles that a triangulation of the
+/// order can have, and keeps the answers; any other question goes to Python by itself.
 class OwnMeasure {
  public:
   explicit OwnMeasure(nb::handle objective);
@@ -27,6 +28,8 @@ class OwnMeasure {
   OwnMeasure& operator=(const OwnMeasure&) = delete;
 
   const Objective& objective() const { return objective_; }
+  /// Those after the first.
+  const std::vector<Objective>& then() const { return then_; }
   /// Without Python's lock. The points must stay. Throws ParameterError if Python's answer is none.
   void prepare(const PointSet& points, Index order) const;
 
@@ -34,6 +37,7 @@ class OwnMeasure {
   class Answers;
 
   Objective objective_;
+  std::vector<Objective> then_;
   OwnTriangleMeasure triangle_measure_;
   OwnEdgeMeasure edge_measure_;
   std::unique_ptr<Answers> answers_;  // of a measure of triangles

@@ -28,13 +28,29 @@ nb::object extrema(const Report& report, SplitCount ExtremaCount::*count) {
                  entry("result", split_dict((*report.extrema_result).*count)));
 }
 
+nb::dict value_dict(const Value& value) {
+  return dict_of(entry("delaunay", value.delaunay), entry("result", value.result),
+                 entry("bound", value.bound), entry("optimal", value.optimal));
+}
+
 nb::object value_dict(const Report& report) {
   if (!report.value) return nb::none();
-  nb::dict dict =
-      dict_of(entry("delaunay", report.value->delaunay), entry("result", report.value->result),
-              entry("bound", report.value->bound), entry("optimal", report.value->optimal));
+  nb::dict dict = value_dict(*report.value);
   if (report.given) dict["input"] = report.given->value;
   return dict;
+}
+
+/// Of the objectives that are not the first.
+nb::list then_list(const Report& report) {
+  nb::list list;
+  for (std::size_t i = 0; i < report.then.size(); ++i) {
+    const LaterValue& later = report.then[i];
+    nb::dict value = value_dict(later.value);
+    value["bound_in_order"] = later.is_bound_in_order;
+    if (report.given) value["input"] = report.given->then[i];
+    list.append(dict_of(entry("objective", name_of(later.objective)), entry("value", value)));
+  }
+  return list;
 }
 
 nb::object mean_dict(const Report& report) {
@@ -59,7 +75,8 @@ nb::dict report_dict(const Report& report) {
                  entry("order", report.order), entry("order_histogram", report.order_histogram),
                  entry("objective", name_of(report.objective)), entry("kept", report.kept),
                  entry("polygons_without_points", report.empty_polygons),
-                 entry("value", value_dict(report)), entry("mean", mean_dict(report)),
+                 entry("value", value_dict(report)), entry("then", then_list(report)),
+                 entry("mean", mean_dict(report)),
                  entry("local_minima", extrema(report, &ExtremaCount::minima)),
                  entry("local_maxima", extrema(report, &ExtremaCount::maxima)),
                  entry("pits", extrema(report, &ExtremaCount::pits)),

@@ -31,10 +31,11 @@ struct Wishes {
   JobOptions job;
 };
 
-TriangulateOptions options_of(nb::handle wishes, const Objective& objective) {
+TriangulateOptions options_of(nb::handle wishes, const OwnMeasure& own) {
   TriangulateOptions options;
   options.order = nb::cast<Index>(wishes["k"]);
-  options.objective = objective;
+  options.objective = own.objective();
+  options.then = own.then();
   options.method = method_from_name(nb::cast<std::string>(wishes["method"]));
   check_method(options.method, options.objective);
   options.time_limit = nb::cast<double>(wishes["time_limit"]);
@@ -57,7 +58,7 @@ nb::tuple arrays_and_report(TriangulateResult result, nb::object constraints, nb
 nb::tuple triangulate_points(const DoubleArray& array, nb::handle wishes,
                              const ConstraintInput& constraints) {
   const OwnMeasure own(wishes["objective"]);
-  TriangulateOptions options = options_of(wishes, own.objective());
+  TriangulateOptions options = options_of(wishes, own);
   JoinReport joined_report;
   TriangulateResult result = result_of(job_of(wishes), [&](const Progress& progress) {
     options.progress = progress;
@@ -75,7 +76,7 @@ nb::tuple triangulate_points(const DoubleArray& array, nb::handle wishes,
 nb::tuple triangulate_tin(const PlaceArray& xy, const std::optional<HeightArray>& z,
                           const IntegerArray& triangles, nb::handle wishes) {
   const OwnMeasure own(wishes["objective"]);
-  TriangulateOptions options = options_of(wishes, own.objective());
+  TriangulateOptions options = options_of(wishes, own);
   std::size_t unused = 0;
   TriangulateResult result = result_of(job_of(wishes), [&](const Progress& progress) {
     options.progress = progress;

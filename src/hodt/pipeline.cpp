@@ -32,17 +32,28 @@ bool tells_orders(const TriangulateOptions& options) {
   return options.tell_orders || options.tell_changes;
 }
 
+/// The first counts most.
+std::vector<Objective> objectives_of(const TriangulateOptions& options) {
+  std::vector<Objective> objectives{options.objective};
+  objectives.insert(objectives.end(), options.then.begin(), options.then.end());
+  return objectives;
+}
+
 /// Before any work is done.
 void check(const PointSet& points, const TriangulateOptions& options) {
-  check_heights(options.objective, points.has_heights());
-  check_method(options.method, options.objective);
+  const std::vector<Objective> objectives = objectives_of(options);
+  check_objectives(objectives);
+  for (const Objective& objective : objectives) {
+    check_heights(objective, points.has_heights());
+    check_method(options.method, objective);
+  }
 }
 
 void check_keeps(const TriangulateOptions& options) {
   if (asks_to_keep(options) && !counts_minima(options.objective))
-    throw ParameterError(
-        fmt::format("minima to keep are for objectives that remove minima; {} is not one",
-                    name_of(options.objective)));
+    throw ParameterError(fmt::format(
+        "minima to keep are for objectives that remove minima{}; {} is not one",
+        options.then.empty() ? "" : ", of several the first", name_of(options.objective)));
 }
 
 /// Vertex numbers of the output: input order, dropped duplicates left out.
@@ -122,23 +133,39 @@ void verify_mesh(const DelaunayGraph& graph, const MeshChange& change) {
 Report::Given look_at_given(const DelaunayGraph& graph, const TriangleMesh& given) {
   if (const std::string problem = change_problem(graph, given); !problem.empty())
     throw InputError("the triangles given are no triangulation of the domain: " + problem);
-  return {static_cast<Index>(order_histogram(graph, given).size() - 1), 0, false};
+  return {static_cast<Index>(order_histogram(graph, given).size() - 1), 0, {}, false};
+}
+
+/// Whether what was there is better than what was found, by the first objective that can tell.
+bool beats(const TriangulateOptions& options, const Report::Given& given,
+           const OrderedOptimum& found) {
+  if (given.value != found.value.result)
+    return is_better(options.objective, given.value, found.value.result);
+  for (std::size_t i = 0; i < options.then.size(); ++i)
+    if (const double result = found.then[i].value.result; given.then[i] != result)
+      return is_better(options.then[i], given.then[i], result);
+  return false;
 }
 
 /// Compares what was there already; takes it if it is better than what was found.
 void compare_with_given(const DelaunayGraph& graph, std::span<const double> z,
                         const TriangleMesh& given, const MinimaToKeep& keep,
-                        const TriangulateOptions& options, Optimum& optimum, Report& report) {
+                        const TriangulateOptions& options, OrderedOptimum& optimum,
+                        Report& report) {
   report.given->value = value_of(options.objective, given, graph.xy, z);
-  Value& value = optimum.value;
+  for (const Objective& objective : options.then)
+    report.given->then.push_back(value_of(objective, given, graph.xy, z));
   if (keep.count > 0) return;  // it need not have the minima that are to stay
-  if (report.given->order > options.order ||
-      !is_better(options.objective, report.given->value, value.result))
-    return;
+  if (report.given->order > options.order || !beats(options, *report.given, optimum)) return;
   report.given->is_kept = true;
   optimum.change = MeshChange(given);
-  value.result = report.given->value;
-  value.optimal = value.result == value.bound;
+  const auto take = [](double given_value, Value& value) {
+    value.result = given_value;
+    value.optimal = value.result == value.bound;
+  };
+  take(report.given->value, optimum.value);
+  for (std::size_t i = 0; i < optimum.then.size(); ++i)
+    take(report.given->then[i], optimum.then[i].value);
 }
 
 /// Fills what the report says of the orders; returns those of the triangles, if they are to be
@@ -164,18 +191,19 @@ std::vector<Index> optimize_and_verify(Delaunay& delaunay, const MinimaToKeep& k
   const Deadline deadline(options.time_limit);
   DelaunayGraph graph(delaunay);
   if (options.order > 1) graph.list_neighbours_if_hubs(deadline);
-  Optimum optimum = optimize(graph, delaunay.vertices.z, options.objective,
-                             {.order = options.order,
-                              .method = options.method,
-                              .deadline = deadline,
-                              .keep = keep.is_kept,
-                              .progress = options.progress});
+  OrderedOptimum optimum = optimize_in_order(graph, delaunay.vertices.z, objectives_of(options),
+                                             {.order = options.order,
+                                              .method = options.method,
+                                              .deadline = deadline,
+                                              .keep = keep.is_kept,
+                                              .progress = options.progress});
   if (options.progress) options.progress("verification", -1);
   if (report.given)
     compare_with_given(graph, delaunay.vertices.z, *given, keep, options, optimum, report);
   verify_mesh(graph, optimum.change);
   std::vector<Index> orders = count_orders(graph, optimum.change, options, report);
   report.value = optimum.value;
+  report.then = std::move(optimum.then);
   std::move(optimum.change).apply_to(delaunay.mesh);
   return orders;
 }

@@ -27,12 +27,15 @@ struct TriangulateOptions {
   /// unrestricted.
   Index order = 4;
   Objective objective = Objective::min_local_minima;
+  /// What else to optimise for, one after the other, among the triangulations that are as good for
+  /// the objectives before (see optimize_in_order).
+  std::vector<Objective> then = {};
   Method method = Method::automatic;
   /// Seconds that searching may take; 0: a fixed amount of work, the same on every machine.
   double time_limit = 0;
-  /// Real pits that stay, for the objectives min-local-minima and min-local-extrema: local minima
-  /// of the Delaunay triangulation that are at least so deep (see pit_depths.h; 0: all may go), and
-  /// those that one of the points drains to or one of the polygons contains.
+  /// Real pits that stay, for min-local-minima and min-local-extrema as (first) objective: local
+  /// minima of the Delaunay triangulation that are at least so deep (see pit_depths.h; 0: all may
+  /// go), and those that one of the points drains to or one of the polygons contains.
   double min_pit_depth = 0;
   Places keep = {};
   /// Whether the report says how deep the pits are and what they hold. The flood for it takes
@@ -70,7 +73,8 @@ struct Report {
   std::size_t kept = 0;
   /// Polygons to keep minima in that no point is in.
   std::size_t empty_polygons = 0;
-  std::optional<Value> value;  ///< empty for Objective::none
+  std::optional<Value> value;         ///< empty for Objective::none
+  std::vector<LaterValue> then = {};  ///< of the other objectives
   /// What constraints did; nothing without any.
   ConstraintReport constraints;
   /// Of the triangulation that was there already, if there was one: its (constrained) order, and
@@ -78,7 +82,8 @@ struct Report {
   struct Given {
     Index order = 0;
     double value = 0;
-    bool is_kept = false;  ///< nothing better was found: it is the result
+    std::vector<double> then = {};  ///< of the other objectives
+    bool is_kept = false;           ///< nothing better was found: it is the result
   };
   std::optional<Given> given;
   /// Of the Delaunay triangulation and of the result; empty if the input has no heights.
@@ -103,7 +108,8 @@ struct TriangulateResult {
 /// objective as hodt can. Throws InputError if there is no triangle (fewer than three distinct
 /// points, or all on a line), a coordinate is not finite, what the objective measures is out of a
 /// double's range, or the places to keep cannot be on the points' map (see check_places.h);
-/// ParameterError if the objective needs heights and the points have none. Fills all of the report
+/// ParameterError if the objective needs heights and the points have none, or the objectives cannot
+/// be asked for in order. Fills all of the report
 /// but seconds.read and seconds.write.
 ///
 /// With constraints the triangulation has their edges, and only the triangles of their domain;

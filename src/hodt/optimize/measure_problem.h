@@ -38,6 +38,12 @@ struct MeasuredSolution {
   bool is_optimal = false;
 };
 
+/// Whether a result is as good as a bound, sums but for a relative 1e-9.
+inline bool is_as_good(double result, double bound, bool is_sum) {
+  const double slack = is_sum ? 1e-9 : 0;
+  return std::fabs(result - bound) <= slack * std::fmax(std::fabs(result), std::fabs(bound));
+}
+
 /// These, once they are sure to be finite. Totals are rounded to the nearest double and bounds
 /// outward, so that no result passes a bound.
 inline MeasuredSolution measured(const Aggregator& aggregator, MeshChange change, double delaunay,
@@ -49,10 +55,8 @@ inline MeasuredSolution measured(const Aggregator& aggregator, MeshChange change
     throw std::logic_error(name_of(aggregator.objective()) + ": the result " +
                            std::to_string(result) + " passes " + std::to_string(bound) +
                            ", a bound that was proven for all");
-  const double slack = aggregator.is_sum() ? 1e-9 : 0;
-  const bool is_optimal =
-      std::fabs(result - bound) <= slack * std::fmax(std::fabs(result), std::fabs(bound));
-  return {std::move(change), delaunay, result, bound, is_optimal};
+  return {std::move(change), delaunay, result, bound,
+          is_as_good(result, bound, aggregator.is_sum())};
 }
 
 }  // namespace hodt

@@ -1,5 +1,6 @@
 #include "hodt/optimize/objective.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -109,6 +110,34 @@ Objective objective_from_name(std::string_view name) {
       "unknown objective '{}'; there are {}, and <min|max>-<sum|max|min>-MEASURE, where MEASURE is "
       "one of {}",
       name, names_of(kKinds), measure_names()));
+}
+
+std::vector<Objective> objectives_from_names(std::string_view names) {
+  std::vector<Objective> objectives;
+  for (;;) {
+    const std::size_t comma = names.find(',');
+    objectives.push_back(objective_from_name(names.substr(0, comma)));
+    if (comma == names.npos) break;
+    names.remove_prefix(comma + 1);
+  }
+  check_objectives(objectives);
+  return objectives;
+}
+
+void check_objectives(std::span<const Objective> objectives) {
+  if (objectives.size() > kMostObjectives)
+    throw ParameterError(fmt::format("{} objectives in order are too many; there can be {}",
+                                     objectives.size(), kMostObjectives));
+  for (auto it = objectives.begin(); it != objectives.end(); ++it) {
+    if (*it == Objective::none && objectives.size() > 1)
+      throw ParameterError("the objective none leaves nothing to choose, and can only stand alone");
+    if (std::find(objectives.begin(), it, *it) != it)
+      throw ParameterError(
+          fmt::format("the objective {} is in the list twice; once it is as good as it can be, "
+                      "there is nothing "
+                      "more to ask of it",
+                      name_of(*it)));
+  }
 }
 
 Method method_from_name(std::string_view name) {

@@ -1,10 +1,13 @@
 // What a triangulation can be made best for, and by which method.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "hodt/optimize/own_measures.h"
 
@@ -105,6 +108,9 @@ enum class Method {
 /// The objective or method of that name on the command line ("min-local-minima",
 /// "min-max-angle", "auto"). Throws ParameterError, naming the ones there are, for any other name.
 Objective objective_from_name(std::string_view name);
+/// The objectives of a list on the command line, commas between: the first counts most. Throws
+/// ParameterError also for what check_objectives() refuses.
+std::vector<Objective> objectives_from_names(std::string_view names);
 Method method_from_name(std::string_view name);
 std::string name_of(Objective objective);
 /// The names of all measures, separated by commas.
@@ -119,6 +125,12 @@ inline bool counts_maxima(Objective objective) {
 inline bool counts_extrema(Objective objective) {
   return counts_minima(objective) || counts_maxima(objective);
 }
+/// At most so many objectives can be asked for in order.
+inline constexpr std::size_t kMostObjectives = 3;
+/// Throws ParameterError if these cannot be objectives in order: one twice, none among several, or
+/// too many.
+void check_objectives(std::span<const Objective> objectives);
+
 /// Throws ParameterError if the method is not one for the objective.
 void check_method(Method method, Objective objective);
 

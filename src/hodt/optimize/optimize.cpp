@@ -4,10 +4,15 @@
 #include <utility>
 
 #include "hodt/base/deadline.h"
+#include "hodt/base/error.h"
 #include "hodt/optimize/degree/minimize_degree.h"
+#include "hodt/optimize/extrema/extrema_triangulation.h"
 #include "hodt/optimize/extrema/first_order_extrema.h"
 #include "hodt/optimize/extrema/remove_extrema.h"
+#include "hodt/optimize/in_order/first_order_in_order.h"
+#include "hodt/optimize/in_order/improve_in_order.h"
 #include "hodt/optimize/optimize_measure.h"
+#include "hodt/optimize/value_of.h"
 
 namespace hodt {
 
@@ -29,14 +34,18 @@ Optimum from(MeasuredSolution&& solution) {
            .optimal = solution.is_optimal}};
 }
 
+/// More than n - 3 points are never inside a circle.
+Index order_within(const DelaunayGraph& graph, Index order) {
+  return std::min(order, static_cast<Index>(graph.xy.size() - 3));
+}
+
 }  // namespace
 
 Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objective objective,
                  const OptimizeOptions& options) {
   check_heights(objective, !z.empty());
   check_method(options.method, objective);
-  // More than n - 3 points are never inside a circle.
-  const Index order = std::min(options.order, static_cast<Index>(graph.xy.size() - 3));
+  const Index order = order_within(graph, options.order);
   const Deadline& deadline = options.deadline;
   if (objective == Objective::none) return {{}, {.optimal = true}};
   if (objective.kind == Objective::measured)
@@ -57,6 +66,123 @@ Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objectiv
                               .keep = options.keep,
                               .deadline = deadline,
                               .progress = options.progress}));
+}
+
+namespace {
+
+/// A flag for every vertex: a minimum of the Delaunay triangulation that has to stay one.
+Buffer<bool> kept_minima(const DelaunayGraph& graph, std::span<const double> z,
+                         std::span<const bool> keep) {
+  Buffer<bool> kept(graph.xy.size(), false);
+  if (keep.empty()) return kept;
+  const Heights heights{graph.xy, z};
+  const Buffer<std::uint8_t> extrema = extrema_of(graph.mesh, heights, Objective::min_local_minima);
+  for (std::size_t v = 0; v < kept.size(); ++v) kept[v] = keep[v] && extrema[v] != 0;
+  return kept;
+}
+
+bool meets(const Objective& objective, double result, double bound) {
+  const bool is_sum = objective.kind == Objective::measured && Aggregator(objective).is_sum();
+  return is_as_good(result, bound, is_sum);
+}
+
+/// One after the other, all of them on one mesh.
+class InOrder {
+ public:
+  InOrder(const DelaunayGraph& graph, std::span<const double> z,
+          std::span<const Objective> objectives, const OptimizeOptions& options)
+      : graph_(graph), z_(z), objectives_(objectives), options_(options) {
+    if (!counts_minima(objectives.front())) options_.keep = {};
+  }
+
+  OrderedOptimum run() {
+    Optimum first = optimize(graph_, z_, objectives_.front(), options_);
+    OrderedOptimum result{std::move(first.change), first.value, {}};
+    if (objectives_.size() == 1) return result;
+    kept_ = kept_minima(graph_, z_, options_.keep);
+    mesh_ = result.change.applied_to(graph_.mesh);
+    for (std::size_t i = 1; i < objectives_.size(); ++i) {
+      const Optimum alone = optimize(graph_, z_, objectives_[i], options_);
+      if (options_.progress) options_.progress("objectives in order", -1);
+      add(i, alone.change.applied_to(graph_.mesh));
+      result.then.push_back({objectives_[i], alone.value, false});
+    }
+    const bool is_best = order() == 1 && solve_first_order();
+    set(0, result.value);
+    for (std::size_t i = 1; i < objectives_.size(); ++i) {
+      LaterValue& later = result.then[i - 1];
+      if (is_best) later.value.bound = value(i, mesh_);
+      later.is_bound_in_order = is_best;
+      set(i, later.value);
+    }
+    result.change = MeshChange(std::move(mesh_));
+    return result;
+  }
+
+ private:
+  Index order() const { return order_within(graph_, options_.order); }
+  OrderedProblem problem(std::size_t count) const {
+    return {.graph = graph_,
+            .z = z_,
+            .order = order(),
+            .objectives = objectives_.first(count),
+            .kept = kept_,
+            .deadline = options_.deadline};
+  }
+  double value(std::size_t i, const TriangleMesh& mesh) const {
+    return value_of(objectives_[i], mesh, graph_.xy, z_);
+  }
+  void set(std::size_t i, Value& value) const {
+    value.result = this->value(i, mesh_);
+    value.optimal = meets(objectives_[i], value.result, value.bound);
+  }
+  /// Makes the mesh good for one more objective, which `best` is best for: beginning with the mesh,
+  /// and with what is best once as little as it takes is as in the mesh.
+  void add(std::size_t i, const TriangleMesh& best) {
+    TriangleMesh other = best;
+    exchange_in_order(problem(i), mesh_, other);
+    improve_in_order(problem(i + 1), best, mesh_);
+    // What is best alone need not have the minima that are to stay.
+    if (!options_.keep.empty() || is_better(mesh_, other, i)) return;
+    improve_in_order(problem(i + 1), best, other);
+    if (is_better(other, mesh_, i + 1)) mesh_ = std::move(other);
+  }
+  /// Whether a mesh is better than another by the first objective that can tell, of so many.
+  bool is_better(const TriangleMesh& mesh, const TriangleMesh& other, std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (const double x = value(i, mesh), y = value(i, other); x != y)
+        return hodt::is_better(objectives_[i], x, y);
+    return false;
+  }
+  /// Whether the mesh is then the best of all.
+  bool solve_first_order() {
+    FirstOrderInOrder solved = first_order_in_order(problem(objectives_.size()), mesh_);
+    // By sums, as they are before rounding, nothing is better than the best.
+    if (!solved.is_best && is_better(mesh_, solved.mesh, objectives_.size())) return false;
+    mesh_ = std::move(solved.mesh);
+    return solved.is_best;
+  }
+
+  const DelaunayGraph& graph_;
+  const std::span<const double> z_;
+  const std::span<const Objective> objectives_;
+  OptimizeOptions options_;
+  Buffer<bool> kept_;
+  TriangleMesh mesh_;
+};
+
+}  // namespace
+
+OrderedOptimum optimize_in_order(const DelaunayGraph& graph, std::span<const double> z,
+                                 std::span<const Objective> objectives,
+                                 const OptimizeOptions& options) {
+  check_objectives(objectives);
+  if (objectives.empty()) throw ParameterError("there is no objective");
+  for (const Objective& objective : objectives) {
+    check_heights(objective, !z.empty());
+    check_method(options.method, objective);
+  }
+  return InOrder(graph, z, objectives, options).run();
 }
 
 }  // namespace hodt

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "hodt/base/deadline.h"
 #include "hodt/base/progress.h"
@@ -18,8 +19,8 @@ struct OptimizeOptions {
   /// Searching ends soon after, with what it has and a bound that is valid. None: a fixed amount of
   /// work, the same on every machine.
   Deadline deadline = {};
-  /// For objectives that count minima: vertices that stay local minima if the Delaunay
-  /// triangulation has them as such. One flag each, or none at all.
+  /// For objectives that count minima, of several the first: vertices that stay local minima if the
+  /// Delaunay triangulation has them as such. One flag each, or none at all.
   std::span<const bool> keep = {};
   /// Told what is going on; may be empty.
   Progress progress = {};
@@ -46,5 +47,30 @@ struct Optimum {
 /// method. For Objective::none nothing changes, and the values are 0.
 Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objective objective,
                  const OptimizeOptions& options = {});
+
+/// Of an objective that is not the first of several.
+struct LaterValue {
+  Objective objective;
+  /// `optimal`: the best of all triangulations that keep the values of the objectives before.
+  Value value;
+  /// The bound is one over these; otherwise over all triangulations of the order, which is valid
+  /// all the same, and mostly better than any of these can be.
+  bool is_bound_in_order = false;
+};
+
+struct OrderedOptimum {
+  MeshChange change;  ///< as that of Optimum
+  Value value;        ///< of the first objective
+  std::vector<LaterValue> then;
+};
+
+/// Optimises for the first objective; then, among the triangulations that keep its value, for the
+/// next, and so on. A value of a sum is kept by an exact sum that is no worse. Of the first
+/// objective the result is no worse than without the others. At order 1 each result is the best
+/// there is wherever the choices that depend on each other are few; docs/design/in-order.md says
+/// more. Throws ParameterError also for what check_objectives() refuses, or none at all.
+OrderedOptimum optimize_in_order(const DelaunayGraph& graph, std::span<const double> z,
+                                 std::span<const Objective> objectives,
+                                 const OptimizeOptions& options = {});
 
 }  // namespace hodt

@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""How near to the second objective alone objectives in order come: a table of docs/experiments.md.
+
+    scripts/in_order_table.py --data DIR [--hodt build/release/hodt] [--then min-sum-abn]
+
+For each terrain and order k: local minima of the Delaunay triangulation, of `min-local-minima`, and
+of the second objective alone; and how much worse, in percent, the second objective's value is in
+order than alone.
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+
+TERRAINS = [
+    ("whitebox_dem", "sample10000.csv"),
+    ("jacksboro", "sample10000.csv"),
+    ("bigtujunga", "sample10000.csv"),
+    ("swiss_sic97", "sample10000.csv"),
+    ("olinda", "full.csv"),
+    ("lidar_quebec", "ground.csv"),
+    ("lidar_delft_east", "sample10000.csv"),
+    ("baja_soundings", "sample10000.csv"),
+    ("glacier_contours", "points.csv"),
+]
+FIRST = "min-local-minima"
+
+
+def report(arguments, points, k, objective):
+    run = subprocess.run(
+        [arguments.hodt, "triangulate", points, "-o", arguments.mesh, "-k", str(k), "--objective",
+         objective, "--json", "-"], check=True, capture_output=True, text=True)
+    return json.loads(run.stdout)
+
+
+def minima(report, stage):
+    return sum(report["local_minima"][stage].values())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--data", type=pathlib.Path, required=True)
+    parser.add_argument("--hodt", default="build/release/hodt")
+    parser.add_argument("--then", default="min-sum-abn")
+    parser.add_argument("--mesh", default="in_order.ply", help="written and written again")
+    parser.add_argument("--orders", default="1,4,8")
+    arguments = parser.parse_args()
+
+    print(f"| | k | minima: Delaunay | in order | `{arguments.then}` alone | "
+          f"`{arguments.then}`: Delaunay | alone | in order | distance |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for name, file in TERRAINS:
+        points = arguments.data / name / file
+        for k in map(int, arguments.orders.split(",")):
+            alone = report(arguments, points, k, arguments.then)
+            both = report(arguments, points, k, f"{FIRST},{arguments.then}")
+            ordered, second = both["then"][0]["value"], alone["value"]
+            distance = 100 * (ordered["result"] / second["result"] - 1)
+            proven = " (proven best)" if ordered["optimal"] else ""
+            print(f"| {name} | {k} | {minima(both, 'delaunay')} | {minima(both, 'result')} | "
+                  f"{minima(alone, 'result')} | {second['delaunay']:.0f} | "
+                  f"{second['result']:.0f} | {ordered['result']:.0f} | {distance:.2f} %{proven} |",
+                  flush=True)
+
+
+if __name__ == "__main__":
+    main()
