@@ -13,6 +13,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/atomic_write.h"
+#include "hodt/io/png.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/picture/picture.h"
 #include "hodt/pipeline.h"
@@ -82,14 +83,17 @@ void print_row(const TriangulateResult& result) {
 void write_pictures(const Tin& delaunay, const Tin& shown, const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory);
   PictureOptions options;
-  options.title = fmt::format("Jacksboro, Tennessee: Delaunay and order k = {}", kShownOrder);
+  options.title = "Jacksboro, Tennessee";
+  options.after = fmt::format("order {}", kShownOrder);
   options.caption = fmt::format(
       "New edges let water out of hollows that the Delaunay triangulation had dammed. No height is "
       "changed, and no circumcircle of a triangle holds more than {} points.",
       kShownOrder);
+  options.unit = options.height_unit = "m";
+  options.pack = png_of;
   const auto picture = directory / "jacksboro.svg";
   const auto mesh = directory / fmt::format("jacksboro_k{}.obj", kShownOrder);
-  atomic_write(picture, svg_comparison(delaunay, shown, options));
+  atomic_write(picture, comparison_picture(delaunay, shown, options).svg);
   write_tin(shown, mesh);
   fmt::print("\nWrote {} and {}\n", picture.string(), mesh.string());
 }
@@ -104,6 +108,7 @@ void run(const std::filesystem::path& directory) {
   for (const Index k : kOrders) {
     TriangulateOptions options;
     options.order = k;
+    options.tell_orders = true;
     TriangulateResult result = triangulate(points, options);
     require_as_promised(points, result);
     print_row(result);

@@ -15,6 +15,7 @@
 
 #include "hodt/io/line_file.h"
 #include "hodt/io/places_file.h"
+#include "hodt/io/png.h"
 #include "hodt/io/point_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/picture/picture.h"
@@ -71,8 +72,10 @@ nb::dict terrains() {
 std::string picture(const PlaceArray& xy, const HeightArray& z, const IntegerArray& before,
                     const IntegerArray& after, const std::string& title) {
   return result_of({}, [&](const Progress&) {
-    return svg_comparison(tin_of(xy, z, before), tin_of(xy, z, after),
-                          {.title = title, .caption = {}});
+    PictureOptions options;
+    options.title = title;
+    options.pack = png_of;
+    return comparison_picture(tin_of(xy, z, before), tin_of(xy, z, after), options).svg;
   });
 }
 

@@ -6,16 +6,16 @@
 namespace hodt {
 namespace {
 
+Edge edge_of(const std::array<Index, 3>& corner, int i) {
+  const Index a = corner[i], b = corner[(i + 1) % 3];
+  return {std::min(a, b), std::max(a, b)};
+}
+
 std::vector<Edge> edges_of(const Tin& tin) {
   std::vector<Edge> edges;
   edges.reserve(3 * tin.triangles.size());
-  for (const auto& corner : tin.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const Index a = corner[i];
-      const Index b = corner[(i + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
+  for (const auto& corner : tin.triangles)
+    for (int i = 0; i < 3; ++i) edges.push_back(edge_of(corner, i));
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
@@ -26,20 +26,24 @@ bool lower(const PointSet& points, Index a, Index b) {
   return lexicographically_less(points.xy[a], points.xy[b]);
 }
 
-std::vector<Index> minima_of(const PointSet& points, const std::vector<Edge>& edges) {
-  enum class State : char { in_no_edge, lowest, not_lowest };
-  std::vector<State> state(points.size(), State::in_no_edge);
+struct Extrema {
+  std::vector<Index> minima, maxima;
+};
+
+Extrema extrema_of(const PointSet& points, const std::vector<Edge>& edges) {
+  constexpr char has_lower = 1, has_higher = 2;
+  std::vector<char> state(points.size(), 0);
   for (const auto& [a, b] : edges) {
     const bool a_is_lower = lower(points, a, b);
-    State& low = state[a_is_lower ? a : b];
-    if (low == State::in_no_edge) low = State::lowest;
-    state[a_is_lower ? b : a] = State::not_lowest;
+    state[a_is_lower ? a : b] |= has_higher;
+    state[a_is_lower ? b : a] |= has_lower;
   }
-  std::vector<Index> minima;
+  Extrema extrema;
   for (Index vertex = 0; vertex < state.size(); ++vertex) {
-    if (state[vertex] == State::lowest) minima.push_back(vertex);
+    if (state[vertex] == has_higher) extrema.minima.push_back(vertex);
+    if (state[vertex] == has_lower) extrema.maxima.push_back(vertex);
   }
-  return minima;
+  return extrema;
 }
 
 /// The elements of sorted `a` that are not in sorted `b`.
@@ -50,6 +54,30 @@ std::vector<T> without(const std::vector<T>& a, const std::vector<T>& b) {
   return result;
 }
 
+ExtremaChange change(const std::vector<Index>& before, const std::vector<Index>& after) {
+  ExtremaChange result;
+  result.vanished = without(before, after);
+  result.made = without(after, before);
+  result.remaining = without(before, result.vanished);
+  return result;
+}
+
+std::vector<Index> orders_of(const std::vector<Edge>& edges, const Tin& tin) {
+  if (tin.order.empty()) return {};
+  std::vector<Index> orders(edges.size(), 0);
+  for (std::size_t t = 0; t < tin.triangles.size(); ++t) {
+    if (!tin.is_changed(t)) continue;
+    for (int i = 0; i < 3; ++i) {
+      const Edge edge = edge_of(tin.triangles[t], i);
+      const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
+      if (found == edges.end() || *found != edge) continue;
+      Index& order = orders[static_cast<std::size_t>(found - edges.begin())];
+      order = std::max(order, tin.order[t]);
+    }
+  }
+  return orders;
+}
+
 }  // namespace
 
 Difference difference(const Tin& before, const Tin& after) {
@@ -58,11 +86,14 @@ Difference difference(const Tin& before, const Tin& after) {
   Difference result;
   result.removed = without(old_edges, new_edges);
   result.added = without(new_edges, old_edges);
+  result.added_order = orders_of(result.added, after);
   result.kept = without(old_edges, result.removed);
-  result.remaining_minima = minima_of(after.points, new_edges);
-  const std::vector<Index> old_minima = minima_of(before.points, old_edges);
-  result.minima_before = old_minima.size();
-  result.vanished_minima = without(old_minima, result.remaining_minima);
+  if (after.points.has_heights()) {
+    const Extrema old_extrema = extrema_of(before.points, old_edges);
+    const Extrema new_extrema = extrema_of(after.points, new_edges);
+    result.minima = change(old_extrema.minima, new_extrema.minima);
+    result.maxima = change(old_extrema.maxima, new_extrema.maxima);
+  }
   return result;
 }
 

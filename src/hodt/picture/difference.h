@@ -14,18 +14,25 @@ namespace hodt {
 /// Ends of an edge, the smaller index first.
 using Edge = std::array<Index, 2>;
 
-struct Difference {
-  std::vector<Edge> kept;         ///< in both, sorted
-  std::vector<Edge> removed;      ///< only in the first
-  std::vector<Edge> added;        ///< only in the second
-  std::size_t minima_before = 0;  ///< of the first triangulation
-  /// Vertices with no lower neighbour in the first triangulation, but one in the second.
-  std::vector<Index> vanished_minima;
-  /// Vertices with no lower neighbour in the second triangulation.
-  std::vector<Index> remaining_minima;
+/// Local minima, or maxima, of two triangulations: vertices with no lower, or higher, neighbour.
+struct ExtremaChange {
+  std::vector<Index> vanished;   ///< of the first only
+  std::vector<Index> remaining;  ///< of both
+  std::vector<Index> made;       ///< of the second only
+
+  std::size_t before() const { return vanished.size() + remaining.size(); }
+  std::size_t after() const { return made.size() + remaining.size(); }
 };
 
-/// Requires the same points with heights in both.
+struct Difference {
+  std::vector<Edge> kept;          ///< in both, sorted
+  std::vector<Edge> removed;       ///< only in the first
+  std::vector<Edge> added;         ///< only in the second
+  std::vector<Index> added_order;  ///< of each of these the larger order of its triangles, if known
+  ExtremaChange minima, maxima;    ///< empty without heights
+};
+
+/// Requires the same points in both.
 Difference difference(const Tin& before, const Tin& after);
 
 }  // namespace hodt

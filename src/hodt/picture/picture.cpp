@@ -2,355 +2,363 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
+#include <span>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/picture/difference.h"
-#include "hodt/picture/markup.h"
-#include "hodt/picture/relief.h"
-#include "hodt/picture/window.h"
+#include "hodt/picture/frame.h"
+#include "hodt/picture/ground.h"
+#include "hodt/picture/legend.h"
+#include "hodt/picture/order_colours.h"
+#include "hodt/picture/panel.h"
+#include "hodt/picture/svg.h"
+#include "hodt/tin/boundary_edges.h"
 
 namespace hodt {
 namespace {
 
-// The page, in pixels: a square map, and text to its right.
-constexpr double kWidth = 1200;
-constexpr double kHeight = 900;
-constexpr double kMapLeft = 20;
-constexpr double kMapTop = 20;
-constexpr double kMapSide = 860;
-constexpr double kTextLeft = 912;
-constexpr std::size_t kTextColumns = 36;  // characters to a line of the caption
+// The page, in pixels: a title, two maps beside or below each other, and three columns of text.
+constexpr double kMargin = 24;
+constexpr double kMapTop = 100;
+constexpr double kHeadingHeight = 34;
+constexpr double kMapWidth = 660;
+constexpr double kTallestMap = 900;
+constexpr double kPageWidth = 2 * kMapWidth + 3 * kMargin;
+constexpr double kTextTop = 44;  // below the maps
+constexpr double kSmallMap = 170;
+constexpr double kCharacter = 0.6;  // width of one, in font sizes
 
+constexpr std::size_t kPointsOfWhole = 2500;
 constexpr double kPointsShown = 700;
-constexpr std::string_view kInk = "#2b2a28";
+constexpr std::size_t kPointsWithAllEdges = 12000;
+constexpr std::size_t kMostDrawn = 200000;  // makes about 15 MB
 
-// How each thing looks, on the map as in the legend.
-constexpr std::string_view kKeptStyle =
-    R"(stroke="#4a443a" stroke-opacity="0.34" stroke-width="0.8")";
-constexpr std::string_view kRemovedStyle =
-    R"(stroke="#c2331f" stroke-width="1.9" stroke-dasharray="5 3.5")";
-constexpr std::string_view kAddedStyle = R"(stroke="#0f55a8" stroke-width="2.8")";
-constexpr std::string_view kAddedHalo =
-    R"(stroke="#ffffff" stroke-opacity="0.75" stroke-width="5")";
-constexpr std::string_view kVanishedStyle =
-    R"(r="6.5" fill="#f7b52c" stroke="#2b2a28" stroke-width="2")";
-constexpr std::string_view kRemainingStyle =
-    R"(r="5.5" fill="#ffffff" fill-opacity="0.5" stroke="#2b2a28" stroke-width="1.7")";
-
-/// Breaks text at spaces into lines of at most `columns` characters, longer words aside.
-std::vector<std::string> wrapped(std::string_view text, std::size_t columns) {
-  std::vector<std::string> lines;
-  std::string line;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (word.empty()) continue;
-    if (!line.empty() && line.size() + 1 + word.size() > columns) {
-      lines.push_back(line);
-      line.clear();
-    }
-    if (!line.empty()) line += ' ';
-    line += word;
-  }
-  if (!line.empty()) lines.push_back(line);
-  return lines;
+bool is_positive(double size) {
+  return size > 0 && std::isfinite(size);
 }
 
-/// Collects a document; coordinates go out with one decimal.
-class Svg {
- public:
-  template <class... Args>
-  void add(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
-  }
-  void text(double x, double y, double size, std::string_view content, std::string_view more = "") {
-    add("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\"{}>{}</text>\n", x, y, size, more,
-        escaped(content));
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
-
-/// The map: what of the two triangulations is in the window, drawn from the ground up.
-class Map {
- public:
-  Map(Svg& svg, const Tin& tin, const Window& window) : svg_(svg), tin_(tin), window_(window) {}
-
-  void ground() const {
-    const auto [low, high] = height_range();
-    const double lift = exaggeration();
-    std::map<Colour, std::string> paths;
-    for (const auto& corner : tin_.triangles) {
-      if (!shown(corner)) continue;
-      const double height = (z(corner[0]) + z(corner[1]) + z(corner[2])) / 3;
-      const Point slope = gradient(corner);
-      const Colour colour =
-          shaded(high > low ? (height - low) / (high - low) : 0.5, lift * slope.x, lift * slope.y);
-      std::string& path = paths[colour];
-      for (int i = 0; i < 3; ++i) {
-        const Point p = pixel(corner[i]);
-        fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", i == 0 ? 'M' : 'L', p.x, p.y);
-      }
-      path += 'Z';
-    }
-    // The thin stroke closes the hairlines between neighbours.
-    svg_.add("<g stroke-width=\"0.8\" stroke-linejoin=\"round\">\n");
-    for (const auto& [colour, path] : paths) {
-      const std::string name =
-          fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
-      svg_.add("<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n", name, path);
-    }
-    svg_.add("</g>\n");
-  }
-
-  void edges(std::string_view kind, const std::vector<Edge>& edges, std::string_view style) const {
-    std::string path;
-    for (const Edge& edge : edges) {
-      if (!shown(edge)) continue;
-      const Point a = pixel(edge[0]);
-      const Point b = pixel(edge[1]);
-      fmt::format_to(std::back_inserter(path), "M{:.1f} {:.1f}L{:.1f} {:.1f}", a.x, a.y, b.x, b.y);
-    }
-    svg_.add("<path class=\"{}\" fill=\"none\" stroke-linecap=\"round\" {} d=\"{}\"/>\n", kind,
-             style, path);
-  }
-
-  /// Draws a circle at each of the vertices in the window, and says how many.
-  std::size_t markers(std::string_view kind, const std::vector<Index>& vertices,
-                      std::string_view style) const {
-    std::size_t count = 0;
-    for (const Index vertex : vertices) {
-      if (!window_.contains(tin_.points.xy[vertex])) continue;
-      const Point p = pixel(vertex);
-      svg_.add("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" {}/>\n", kind, p.x, p.y, style);
-      ++count;
-    }
-    return count;
-  }
-
-  struct Range {
-    double low, high;
-  };
-  Range height_range() const {
-    bool first = true;
-    Range range{0, 0};
-    for (Index vertex = 0; vertex < tin_.points.size(); ++vertex) {
-      if (!window_.contains(tin_.points.xy[vertex])) continue;
-      range = first ? Range{z(vertex), z(vertex)}
-                    : Range{std::min(range.low, z(vertex)), std::max(range.high, z(vertex))};
-      first = false;
-    }
-    return range;
-  }
-
- private:
-  double z(Index vertex) const { return tin_.points.z[vertex]; }
-
-  Point pixel(Index vertex) const {
-    const Point& p = tin_.points.xy[vertex];
-    const double scale = kMapSide / window_.side;
-    return {kMapLeft + (p.x - window_.south_west.x) * scale,
-            kMapTop + kMapSide - (p.y - window_.south_west.y) * scale};
-  }
-
-  /// The bounding box of the vertices meets the window.
-  template <class Vertices>
-  bool shown(const Vertices& vertices) const {
-    const Point& first = tin_.points.xy[vertices[0]];
-    Point low = first;
-    Point high = first;
-    for (const Index vertex : vertices) {
-      const Point& p = tin_.points.xy[vertex];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return low.x <= window_.south_west.x + window_.side && high.x >= window_.south_west.x &&
-           low.y <= window_.south_west.y + window_.side && high.y >= window_.south_west.y;
-  }
-
-  /// How the plane through a triangle rises to the east and to the north.
-  Point gradient(const std::array<Index, 3>& corner) const {
-    const Point& a = tin_.points.xy[corner[0]];
-    const Point& b = tin_.points.xy[corner[1]];
-    const Point& c = tin_.points.xy[corner[2]];
-    const double ab = z(corner[1]) - z(corner[0]);
-    const double ac = z(corner[2]) - z(corner[0]);
-    const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-    if (area == 0) return {};
-    return {(ab * (c.y - a.y) - ac * (b.y - a.y)) / area,
-            (ac * (b.x - a.x) - ab * (c.x - a.x)) / area};
-  }
-
-  /// What brings the typical slope to one that the lamp shows well.
-  double exaggeration() const {
-    std::vector<double> squares;
-    for (const auto& corner : tin_.triangles) {
-      if (!shown(corner)) continue;
-      const Point slope = gradient(corner);
-      squares.push_back(slope.x * slope.x + slope.y * slope.y);
-    }
-    if (squares.empty()) return 1;
-    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-    std::nth_element(squares.begin(), middle, squares.end());
-    return *middle > 0 ? 0.45 / std::sqrt(*middle) : 1;
-  }
-
-  Svg& svg_;
-  const Tin& tin_;
-  const Window& window_;
-};
-
-/// The largest of 1, 2, 5, 10, ... (and their tenths) that is at most `most`.
-double round_number(double most) {
-  double power = 1;
-  while (power * 10 <= most) power *= 10;
-  while (power > most) power /= 10;
-  if (5 * power <= most) return 5 * power;
-  return 2 * power <= most ? 2 * power : power;
+/// Makes room where the window is so long and narrow that nothing could be seen.
+Window widened(Window window) {
+  constexpr double narrowest = 0.4, widest = 6;
+  const Point middle = window.middle();
+  const double width = std::max(window.width(), narrowest * window.height());
+  const double height = std::max(window.height(), width / widest);
+  if (width > window.width())
+    window = {{middle.x - width / 2, window.low.y}, {middle.x + width / 2, window.high.y}};
+  if (height > window.height())
+    window = {{window.low.x, middle.y - height / 2}, {window.high.x, middle.y + height / 2}};
+  return window;
 }
 
-void scale_bar(Svg& svg, const Window& window, double x, double y) {
-  const double length = round_number(window.side / 5);
-  const double pixels = length * kMapSide / window.side;
-  svg.add(
-      "<path fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" d=\"M{:.1f} {:.1f}v6h{:.1f}v-6\"/>\n",
-      kInk, x, y - 6, pixels);
-  const std::string label =
-      length >= 1000 ? fmt::format("{:g} km", length / 1000) : fmt::format("{:g} m", length);
-  svg.text(x + pixels + 9, y + 2, 13, label);
+/// The whole terrain with a little room around.
+Window whole(const PointSet& points) {
+  constexpr double room = 0.02;
+  const Window box = bounding_box(points.xy);
+  const double x = room * box.width(), y = room * box.height();
+  return {{box.low.x - x, box.low.y - y}, {box.high.x + x, box.high.y + y}};
 }
 
-void height_bar(Svg& svg, const Map::Range& range, double x, double y) {
-  constexpr int kPatches = 24;
-  constexpr double kPatch = 5;
-  for (int i = 0; i < kPatches; ++i) {
-    const Colour c = tint((i + 0.5) / kPatches);
-    svg.add(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"10\" "
-        "fill=\"#{:02x}{:02x}{:02x}\"/>\n",
-        x + i * kPatch, y - 10, kPatch + 0.3, c.red, c.green, c.blue);
-  }
-  svg.text(x + kPatches * kPatch + 9, y, 13,
-           fmt::format("{:.0f} to {:.0f} m", range.low, range.high));
-}
-
-/// What the text beside the map tells.
-struct Counts {
-  std::size_t before, after;                  // local minima of the whole terrain
-  std::size_t vanished_here, remaining_here;  // in the window
-};
-
-void legend_line(Svg& svg, double y, std::string_view style, std::string_view label) {
-  svg.add("<path fill=\"none\" stroke-linecap=\"round\" {} d=\"M{:.1f} {:.1f}h34\"/>\n", style,
-          kTextLeft, y - 4.5);
-  svg.text(kTextLeft + 48, y, 14, label);
-}
-
-void legend_circle(Svg& svg, double y, std::string_view style, std::string_view label) {
-  svg.add("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" {}/>\n", kTextLeft + 17, y - 4.5, style);
-  svg.text(kTextLeft + 48, y, 14, label);
-}
-
-void side_text(Svg& svg, const PictureOptions& options, const Counts& counts, const Window& window,
-               const Map::Range& heights) {
-  double y = kMapTop + 18;
-  for (const std::string& line : wrapped(options.title, 26)) {
-    svg.text(kTextLeft, y, 19, line, " font-weight=\"bold\"");
-    y += 25;
-  }
-  y += 34;
-  svg.text(kTextLeft, y, 38, fmt::format("{} → {}", counts.before, counts.after),
-           " font-weight=\"bold\" fill=\"#0f55a8\"");
-  y += 23;
-  svg.text(kTextLeft, y, 14, "local minima of the whole terrain");
-  y += 52;
-  legend_circle(svg, y, kVanishedStyle,
-                fmt::format("vanishing minimum ({} here)", counts.vanished_here));
-  y += 30;
-  legend_circle(svg, y, kRemainingStyle,
-                fmt::format("remaining minimum ({} here)", counts.remaining_here));
-  y += 30;
-  legend_line(svg, y, kRemovedStyle, "Delaunay edge, replaced");
-  y += 30;
-  legend_line(svg, y, kAddedStyle, "new edge");
-  y += 30;
-  legend_line(svg, y, kKeptStyle, "edge of both");
-  y += 56;
-  for (const std::string& line : wrapped(options.caption, kTextColumns)) {
-    svg.text(kTextLeft, y, 14, line);
-    y += 20;
-  }
-  height_bar(svg, heights, kTextLeft, kMapTop + kMapSide - 34);
-  scale_bar(svg, window, kTextLeft, kMapTop + kMapSide - 4);
-}
-
-double automatic_side(const PointSet& points) {
-  const auto [west, east] = std::minmax_element(
-      points.xy.begin(), points.xy.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
-  const auto [south, north] = std::minmax_element(
-      points.xy.begin(), points.xy.end(), [](const Point& a, const Point& b) { return a.y < b.y; });
-  const double width = east->x - west->x;
-  const double height = north->y - south->y;
+/// Where most marked vertices vanish, or where most edges change if none does.
+Window most_changed(const PointSet& points, const Difference& changes,
+                    const PictureOptions& options) {
+  std::vector<Point> targets;
+  if (options.minima)
+    for (const Index v : changes.minima.vanished) targets.push_back(points.xy[v]);
+  if (options.maxima)
+    for (const Index v : changes.maxima.vanished) targets.push_back(points.xy[v]);
+  if (targets.empty())
+    for (const auto& [a, b] : changes.added) targets.push_back(points.xy[a]);
+  const Window box = bounding_box(points.xy);
   const double share = std::min(1.0, kPointsShown / static_cast<double>(points.size()));
-  return std::min({std::sqrt(width * height * share), width, height});
+  const double side = std::min({std::sqrt(box.width()) * std::sqrt(box.height()) * std::sqrt(share),
+                                box.width(), box.height()});
+  return best_window(points.xy, targets, side);
 }
 
-void require_same_points(const Tin& before, const Tin& after) {
-  if (before.points.xy != after.points.xy || before.points.z != after.points.z) {
-    throw ParameterError("only triangulations of the same points can be compared in a picture");
-  }
-  if (before.triangles.empty() || after.triangles.empty() || !before.points.has_heights()) {
-    throw ParameterError("a picture of local minima needs triangles of points with heights");
-  }
+Window choose_window(const PointSet& points, const Difference& changes,
+                     const PictureOptions& options) {
+  if (options.window) return widened(*options.window);
+  return widened(points.size() <= kPointsOfWhole ? whole(points)
+                                                 : most_changed(points, changes, options));
 }
+
+void check(const Tin& before, const Tin& after) {
+  if (before.points.xy != after.points.xy || before.points.z != after.points.z)
+    throw ParameterError("only triangulations of the same points can be compared in a picture");
+  if (before.triangles.empty() || after.triangles.empty())
+    throw ParameterError("there is no picture of no triangles");
+}
+
+std::size_t count_in(const Window& view, std::span<const Point> points) {
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(),
+                                                [&](const Point& p) { return view.contains(p); }));
+}
+
+void check_view(const Window& view, const PointSet& points) {
+  const Window box = bounding_box(points.xy);
+  if (!is_positive(view.width()) || !is_positive(view.height()))
+    throw ParameterError("the window of a picture has to have a width and a height");
+  if (count_in(view, points.xy) == 0)
+    throw ParameterError(fmt::format(
+        "no point is in the picture's window; they are between x {} and {}, y {} and {}", box.low.x,
+        box.high.x, box.low.y, box.high.y));
+}
+
+/// The document and all that its parts look at.
+class Page {
+ public:
+  Page(const Tin& before, const Tin& after, const PictureOptions& options)
+      : before_(before),
+        after_(after),
+        options_(options),
+        changes_(difference(before, after)),
+        classes_(order_classes(changes_)),
+        border_(boundary_edges(after.triangles)),
+        view_(choose_window(after.points, changes_, options)) {
+    check_view(view_, after.points);
+    const std::size_t points = count_in(view_, after.points.xy);
+    has_all_edges_ = points <= kPointsWithAllEdges;
+    lay_out(points);
+    check_amount();
+  }
+
+  Picture draw() {
+    std::optional<GroundColours> colours;
+    if (after_.points.has_heights()) colours.emplace(after_, view_);
+    Svg maps;
+    draw_map(maps, frames_[0], before_, colours, true);
+    draw_map(maps, frames_[1], after_, colours, false);
+    const double top = frames_[1].top + frames_[1].height + kTextTop;
+    const double bottom =
+        std::max({draw_lines_key(maps, column(0), top), draw_marks_key(maps, column(1), top),
+                  draw_sizes(maps, column(2), top, colours)});
+    const double height = bottom + kMargin / 2;
+
+    Svg svg;
+    svg.add(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+        "width=\"{0:.0f}\" height=\"{1:.0f}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" "
+        "fill=\"{2}\">\n",
+        kPageWidth, height, kInk);
+    svg.add("<title>{}</title>\n", escaped(options_.title));
+    svg.add("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#fdfcf9\"/>\n", kPageWidth, height);
+    const auto columns = static_cast<std::size_t>((kPageWidth - 2 * kMargin) / (22 * kCharacter));
+    const std::vector<std::string> title = wrapped(options_.title, columns);
+    if (!title.empty())
+      svg.text(kMargin, kMargin + 20, 22, title.size() == 1 ? title[0] : title[0] + " …",
+               " font-weight=\"bold\"");
+    svg.add("{}</svg>\n", maps.take());
+    return {svg.take(), kPageWidth, std::round(height), view_};
+  }
+
+ private:
+  static double column(int i) { return kMargin + i * (kPageWidth - kMargin) / 3; }
+  static std::size_t columns_of(double width, double size) {
+    return static_cast<std::size_t>(width / (size * kCharacter));
+  }
+
+  void lay_out(std::size_t points) {
+    const double aspect = view_.width() / view_.height();
+    const bool is_stacked = aspect > 1.7;
+    double width = is_stacked ? kPageWidth - 2 * kMargin : kMapWidth;
+    const double height = std::min(width / aspect, kTallestMap);
+    width = height * aspect;
+    frames_[0] = {view_, kMargin, kMapTop, width, height};
+    frames_[1] = frames_[0];
+    if (is_stacked)
+      frames_[1].top += height + kHeadingHeight + 12;
+    else
+      frames_[1].left = kMargin + kMapWidth + kMargin;
+    const double spacing = std::sqrt(width * height / static_cast<double>(points));
+    scale_ = std::clamp(spacing / 18, 0.35, 1.0);
+  }
+
+  void check_amount() const {
+    std::size_t count = 0;
+    for (const std::vector<Edge>* edges : {&changes_.removed, &changes_.added})
+      for (const Edge& edge : *edges) count += meets(view_, after_, edge) ? 1 : 0;
+    for (const ExtremaChange* extrema : shown_extrema())
+      for (const auto* vertices : {&extrema->vanished, &extrema->remaining, &extrema->made})
+        count += here(*vertices);
+    if (count > kMostDrawn)
+      throw ParameterError(fmt::format(
+          "{} changed edges and local extrema are in the picture's window, of which nobody could "
+          "tell one from the other; choose a smaller one",
+          count));
+  }
+
+  std::vector<const ExtremaChange*> shown_extrema() const {
+    std::vector<const ExtremaChange*> shown;
+    if (!after_.points.has_heights()) return shown;
+    if (options_.minima) shown.push_back(&changes_.minima);
+    if (options_.maxima) shown.push_back(&changes_.maxima);
+    return shown;
+  }
+
+  std::size_t here(const std::vector<Index>& vertices) const {
+    return static_cast<std::size_t>(std::count_if(vertices.begin(), vertices.end(), [&](Index v) {
+      return view_.contains(after_.points.xy[v]);
+    }));
+  }
+  std::size_t here(const std::vector<Edge>& edges) const {
+    return static_cast<std::size_t>(std::count_if(
+        edges.begin(), edges.end(), [&](const Edge& e) { return meets(view_, after_, e); }));
+  }
+
+  void draw_map(Svg& svg, const Frame& frame, const Tin& tin,
+                const std::optional<GroundColours>& colours, bool is_before) const {
+    const std::string heading = heading_of(is_before);
+    const std::vector<std::string> lines = wrapped(heading, columns_of(frame.width, 15));
+    if (!lines.empty()) svg.text(frame.left, frame.top - 12, 15, lines[0], " font-weight=\"bold\"");
+    const std::string_view id = is_before ? "before" : "after";
+    const std::string box =
+        fmt::format("x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"", frame.left,
+                    frame.top, frame.width, frame.height);
+    svg.add("<clipPath id=\"{0}\"><rect {1}/></clipPath>\n<g clip-path=\"url(#{0})\">\n", id, box);
+    if (colours) draw_ground(svg, frame, tin, *colours, options_.pack);
+    const Panel panel(svg, frame, tin, scale_);
+    if (has_all_edges_) panel.edges(changes_.kept, kKeptEdge);
+    panel.edges(border_, kBorderEdge);
+    if (is_before) {
+      panel.edges(changes_.removed, kRemovedEdge);
+    } else {
+      for (const OrderClass& each : classes_) panel.edges(each.edges, each.style);
+    }
+    panel.segments(options_.lines, kBreakline);
+    if (options_.minima)
+      draw_marks(panel, changes_.minima, is_before, [](auto style) { return style; });
+    if (options_.maxima) draw_marks(panel, changes_.maxima, is_before, as_peak);
+    svg.add("</g>\n<rect {} fill=\"none\" stroke=\"{}\"/>\n", box, kInk);
+  }
+
+  template <class Restyle>
+  static void draw_marks(const Panel& panel, const ExtremaChange& extrema, bool is_before,
+                         const Restyle& restyle) {
+    panel.marks(extrema.remaining, restyle(kRemaining));
+    panel.marks(extrema.vanished, restyle(is_before ? kVanished : kWasThere));
+    if (!is_before) panel.marks(extrema.made, restyle(kMade));
+  }
+
+  std::string heading_of(bool is_before) const {
+    std::string heading = is_before ? options_.before : options_.after;
+    if (!after_.points.has_heights()) return heading;
+    const auto count = [&](const ExtremaChange& extrema) {
+      return is_before ? extrema.before() : extrema.after();
+    };
+    if (options_.minima) heading += fmt::format(": {} local minima", count(changes_.minima));
+    if (options_.maxima)
+      heading +=
+          fmt::format("{} {} local maxima", options_.minima ? "," : ":", count(changes_.maxima));
+    return heading;
+  }
+
+  double draw_lines_key(Svg& svg, double x, double y) const {
+    std::vector<LegendItem> items;
+    if (has_all_edges_) items.push_back({kKeptEdge, "edge of both"});
+    items.push_back(
+        {kRemovedEdge, fmt::format("edge that goes ({} here)", here(changes_.removed))});
+    for (const OrderClass& each : classes_)
+      items.push_back({each.style, fmt::format("{} ({} here)", each.label(), here(each.edges))});
+    if (!options_.lines.empty()) items.push_back({kBreakline, "breakline"});
+    if (here(border_) > 0) items.push_back({kBorderEdge, "border"});
+    return draw_items(svg, items, x, y);
+  }
+
+  double draw_marks_key(Svg& svg, double x, double y) const {
+    std::vector<LegendItem> items;
+    const auto add = [&](const ExtremaChange& extrema, std::string_view name, const auto& restyle) {
+      items.push_back({restyle(kVanished),
+                       fmt::format("local {} that goes ({} here)", name, here(extrema.vanished))});
+      if (here(extrema.vanished) > 0) items.push_back({restyle(kWasThere), "where it was"});
+      items.push_back({restyle(kRemaining), fmt::format("local {} that stays ({} here)", name,
+                                                        here(extrema.remaining))});
+      if (here(extrema.made) > 0)
+        items.push_back(
+            {restyle(kMade), fmt::format("new local {} ({} here)", name, here(extrema.made))});
+    };
+    if (after_.points.has_heights()) {
+      if (options_.minima) add(changes_.minima, "minimum", [](auto style) { return style; });
+      if (options_.maxima) add(changes_.maxima, "maximum", as_peak);
+    }
+    y = draw_items(svg, items, x, y) + (items.empty() ? 0 : 6);
+    for (const std::string& line :
+         wrapped(options_.caption, columns_of(column(1) - column(0) - 16, 13))) {
+      svg.text(x, y, 13, line);
+      y += 19;
+    }
+    return y;
+  }
+
+  double draw_sizes(Svg& svg, double x, double y,
+                    const std::optional<GroundColours>& colours) const {
+    draw_scale_bar(svg, frames_[0], options_.unit, x, y);
+    y += 26;
+    if (options_.unit == "°") {
+      svg.text(x, y, 13, "x and y are degrees, drawn as if of one length");
+      y += 22;
+    }
+    if (colours) {
+      draw_height_bar(svg, *colours, options_.height_unit, x, y);
+      y += 26;
+    }
+    const auto range = [&](std::string_view name, double low, double high) {
+      svg.text(x, y, 13,
+               fmt::format("{} {} to {}", name, number_within(low, low, high),
+                           number_within(high, low, high)));
+      y += 19;
+    };
+    range("x", view_.low.x, view_.high.x);
+    range("y", view_.low.y, view_.high.y);
+    return is_part() ? draw_small_map(svg, x, y) : y;
+  }
+
+  bool is_part() const { return count_in(view_, after_.points.xy) < after_.points.size(); }
+
+  /// Where the window is in the terrain.
+  double draw_small_map(Svg& svg, double x, double y) const {
+    const Window all = widened(bounding_box(after_.points.xy));
+    const double scale = kSmallMap / std::max(all.width(), all.height());
+    const Frame frame{all, x, y, all.width() * scale, all.height() * scale};
+    if (after_.points.has_heights() && options_.pack)
+      draw_ground(svg, frame, after_, GroundColours(after_, all), options_.pack);
+    svg.add(
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
+        "stroke=\"{}\" stroke-width=\"0.8\"/>\n",
+        frame.left, frame.top, frame.width, frame.height, kInk);
+    const Point corner = frame.pixel({view_.low.x, view_.high.y});
+    const double least = 3;  // to be seen
+    for (const auto& [colour, width] : {std::pair{"#ffffff", 4.0}, std::pair{"#b3261a", 2.0}})
+      svg.add(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
+          "stroke=\"{}\" stroke-width=\"{}\"/>\n",
+          corner.x, corner.y, std::max(least, view_.width() * scale),
+          std::max(least, view_.height() * scale), colour, width);
+    svg.text(x + frame.width + 12, y + 14, 13, "the part shown,");
+    svg.text(x + frame.width + 12, y + 33, 13, "in the whole");
+    return y + frame.height + 14;
+  }
+
+  const Tin& before_;
+  const Tin& after_;
+  const PictureOptions& options_;
+  Difference changes_;
+  std::vector<OrderClass> classes_;
+  std::vector<Edge> border_;
+  Window view_;
+  bool has_all_edges_ = true;
+  double scale_ = 1;
+  Frame frames_[2];
+};
 
 }  // namespace
 
-std::string svg_comparison(const Tin& before, const Tin& after, const PictureOptions& options) {
-  require_same_points(before, after);
-  const PointSet& points = after.points;
-  const Difference changes = difference(before, after);
-  std::vector<Point> targets;
-  for (const Index vertex : changes.vanished_minima) targets.push_back(points.xy[vertex]);
-  const Window window =
-      best_window(points.xy, targets, options.window > 0 ? options.window : automatic_side(points));
-
-  Svg svg;
-  svg.add(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-      "height=\"{1}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" fill=\"{2}\">\n",
-      kWidth, kHeight, kInk);
-  svg.add("<title>{}</title>\n", escaped(options.title));
-  svg.add("<rect width=\"{}\" height=\"{}\" fill=\"#fdfcf9\"/>\n", kWidth, kHeight);
-  svg.add(
-      "<clipPath id=\"map\"><rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\"/></clipPath>\n",
-      kMapLeft, kMapTop, kMapSide);
-  svg.add("<g clip-path=\"url(#map)\">\n");
-  const Map map(svg, after, window);
-  map.ground();
-  map.edges("kept", changes.kept, kKeptStyle);
-  map.edges("halo", changes.added, kAddedHalo);
-  map.edges("removed", changes.removed, kRemovedStyle);
-  map.edges("added", changes.added, kAddedStyle);
-  const std::size_t remaining = map.markers("remains", changes.remaining_minima, kRemainingStyle);
-  const std::size_t vanished = map.markers("vanished", changes.vanished_minima, kVanishedStyle);
-  svg.add("</g>\n");
-  svg.add("<rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" fill=\"none\" stroke=\"{3}\"/>\n",
-          kMapLeft, kMapTop, kMapSide, kInk);
-  side_text(svg, options,
-            {changes.minima_before, changes.remaining_minima.size(), vanished, remaining}, window,
-            map.height_range());
-  svg.add("</svg>\n");
-  return svg.take();
+Picture comparison_picture(const Tin& before, const Tin& after, const PictureOptions& options) {
+  check(before, after);
+  return Page(before, after, options).draw();
 }
 
 }  // namespace hodt

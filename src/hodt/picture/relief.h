@@ -3,18 +3,9 @@
 // Tested by tests/picture/picture_test.cpp.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include "hodt/picture/image.h"
 
 namespace hodt {
-
-struct Colour {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  friend auto operator<=>(const Colour&, const Colour&) = default;
-};
 
 /// The tint of a height, given as a share of the range: 0 the lowest, 1 the highest.
 Colour tint(double share);

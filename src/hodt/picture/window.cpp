@@ -5,31 +5,23 @@
 #include <vector>
 
 namespace hodt {
-namespace {
 
-struct Extent {
-  Point low;
-  Point high;
+void Window::include(const Point& p) {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+}
 
-  Point middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
-  bool contains(const Point& p) const {
-    return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y;
-  }
-  void include(const Point& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-};
-
-Extent bounding_box(std::span<const Point> points) {
-  Extent box{points.front(), points.front()};
+Window bounding_box(std::span<const Point> points) {
+  Window box{points.front(), points.front()};
   for (const Point& p : points) box.include(p);
   return box;
 }
 
+namespace {
+
 /// Without its rim, where the outline of the points cuts in and triangles are long, as long as
 /// `side` fits in the rest.
-Extent without_rim(const Extent& box, double side) {
+Window without_rim(const Window& box, double side) {
   constexpr double kRim = 0.2;
   const double x = std::clamp((box.high.x - box.low.x - side) / 2, 0.0, kRim * side);
   const double y = std::clamp((box.high.y - box.low.y - side) / 2, 0.0, kRim * side);
@@ -38,10 +30,10 @@ Extent without_rim(const Extent& box, double side) {
 
 /// The bounding box of the largest set of targets that a square of side `side` covers. Some best
 /// square has a target on its west and one on its south side, so those are all that are tried.
-Extent densest(std::vector<Point> by_x, double side) {
+Window densest(std::vector<Point> by_x, double side) {
   std::sort(by_x.begin(), by_x.end(), lexicographically_less);
   std::size_t most = 0;
-  Extent best;
+  Window best;
   std::vector<Point> strip;
   for (std::size_t west = 0; west < by_x.size(); ++west) {
     strip.clear();
@@ -70,17 +62,17 @@ double placed(double middle, double side, double low, double high) {
 }  // namespace
 
 Window best_window(std::span<const Point> points, std::span<const Point> targets, double side) {
-  const Extent all = without_rim(bounding_box(points), side);
+  const Window all = without_rim(bounding_box(points), side);
   std::vector<Point> inside;
   for (const Point& p : targets) {
     if (all.contains(p)) inside.push_back(p);
   }
   // A target on the very border of the picture would be cut; so leave a margin.
-  const Extent shown = inside.empty() ? all : densest(std::move(inside), 0.92 * side);
+  const Window shown = inside.empty() ? all : densest(std::move(inside), 0.92 * side);
   const Point middle = shown.middle();
-  return {{placed(middle.x, side, all.low.x, all.high.x),
-           placed(middle.y, side, all.low.y, all.high.y)},
-          side};
+  const Point low{placed(middle.x, side, all.low.x, all.high.x),
+                  placed(middle.y, side, all.low.y, all.high.y)};
+  return {low, {low.x + side, low.y + side}};
 }
 
 }  // namespace hodt
