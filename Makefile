@@ -1,12 +1,15 @@
 # A thin front: CMake does the work, in build/<preset>. The two to know: make demo, make test.
 
-.PHONY: help demo build test python bench lint format asan tsan clang fuzz clean
+.PHONY: help demo build test python deb deb-check docs bench lint format asan tsan clang fuzz clean
 
 help:
 	@echo "make demo    build hodt and run it on real terrain; results in demo/"
 	@echo "make test    build and run all tests"
 	@echo "make build   build the command: build/release/hodt"
 	@echo "make python  build a wheel and go through it in a fresh virtual environment"
+	@echo "make deb     build Debian packages: build/deb/packages"
+	@echo "make deb-check  install and use the packages in a minimal Debian root; needs to be root"
+	@echo "make docs    build the site of the documentation: build/docs/html/index.html"
 	@echo "make bench   build and run the benchmarks"
 	@echo "make lint    check the layers, the format and clang-tidy's rules"
 	@echo "make format  format all sources"
@@ -37,6 +40,23 @@ test:
 python:
 	@scripts/dependencies.sh python
 	scripts/python_wheel.sh
+
+deb:
+	@scripts/dependencies.sh deb
+	@scripts/python_venv.sh
+	cmake --preset deb
+	cmake --build --preset deb
+	cpack --config build/deb/CPackConfig.cmake
+	lintian --fail-on error,warning --display-info build/deb/packages/*.deb
+
+deb-check: deb
+	scripts/deb_check.sh build/deb/packages
+
+docs:
+	@scripts/dependencies.sh docs
+	cmake --preset release -DHODT_BUILD_TESTS=OFF
+	cmake --build --preset release --target hodt_manual_pages
+	scripts/docs.sh build/release/manual/command.md
 
 bench:
 	@scripts/dependencies.sh bench

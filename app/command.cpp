@@ -2,10 +2,12 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "app/command_line.h"
 #include "app/common.h"
 #include <fmt/format.h>
 
@@ -53,47 +55,30 @@ void check_values(const CLI::App& app) {
               fmt::format("{} must be given a value, not ''", short_name(*option)));
 }
 
-/// Parses the command line into an action; help and version are actions too.
-Action parse(CLI::App& app, int argc, const char* const* argv) {
-  Action action;
-  add_triangulate(app, action);
-  add_check(app, action);
-  add_info(app, action);
-  add_sample(app, action);
-  add_edges(app, action);
-  add_triangles(app, action);
-  add_voronoi(app, action);
-  add_compare(app, action);
-  add_contours(app, action);
-  add_formats(app, action);
-  add_raster(app, action);
+/// Parses the command line; help and version are actions too.
+void parse(CLI::App& app, Action& action, int argc, const char* const* argv) {
   check_command_name(app, argc, argv);
   try {
     app.parse(argc, argv);
     check_values(app);
   } catch (const CLI::CallForHelp&) {
-    const std::string help = app.help();
-    return [help] { return print(help), kOk; };
+    action = [help = app.help()] { return print(help), kOk; };
   } catch (const CLI::CallForVersion& version) {
-    const std::string text = fmt::format("{}\n", version.what());
-    return [text] { return print(text), kOk; };
+    action = [text = fmt::format("{}\n", version.what())] { return print(text), kOk; };
   }
-  return action;
 }
 
 }  // namespace
 
 int run(int argc, const char* const* argv) {
-  CLI::App app("Higher order Delaunay triangulations: terrain meshes of controlled quality.",
-               "hodt");
-  app.set_version_flag("--version", "hodt " HODT_VERSION);
-  app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) { return error.what(); });
-  app.footer("'hodt COMMAND --help' explains a command, with examples.");
+  Action action;
+  std::unique_ptr<CLI::App> app;
   try {
-    return parse(app, argc, argv)();
+    app = command_line(action);
+    parse(*app, action, argc, argv);
+    return action();
   } catch (const CLI::ParseError& error) {
-    const auto chosen = app.get_subcommands();
+    const auto chosen = app->get_subcommands();
     return complain(fmt::format("{} (see 'hodt {}--help')", error.what(),
                                 chosen.empty() ? "" : chosen[0]->get_name() + " "));
   } catch (const BrokenPipeError&) {

@@ -1,4 +1,5 @@
-# What `cmake --install` puts where. Component runtime: the command; development: the library.
+# What `cmake --install` puts where. Component runtime: the command, its pages for man and its
+# completions; development: the library.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -35,10 +36,21 @@ endif()
 configure_file(cmake/hodt.pc.in ${made}/hodt.pc @ONLY)
 install(FILES ${made}/hodt.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+if(NOT HODT_DEBIAN) # Debian's packages have their own way to say it
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+endif()
 if(HODT_BUILD_COMMAND)
+  set(zsh_folder $<IF:$<BOOL:${HODT_DEBIAN}>,vendor-completions,site-functions>)
   # Finds libraries outside the system's folders, such as those of a home directory.
   set_target_properties(hodt_program PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
   install(TARGETS hodt_program RUNTIME COMPONENT runtime)
-  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+  install(DIRECTORY ${HODT_MANUAL}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT runtime)
+  install(FILES ${HODT_MANUAL}/bash/hodt DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+          COMPONENT runtime)
+  install(FILES ${HODT_MANUAL}/zsh/_hodt DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${zsh_folder} COMPONENT runtime)
+  install(FILES ${HODT_MANUAL}/fish/hodt.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+          COMPONENT runtime)
+  if(NOT HODT_DEBIAN)
+    install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+  endif()
 endif()

@@ -6,7 +6,7 @@
 #   scripts/dependencies.sh GOAL FOLDER  as anybody: unpacks the libraries into the folder, where they
 #                                        serve whoever sources FOLDER/use
 #
-# GOAL: build (the default), test, python, bench, clang or fuzz.
+# GOAL: build (the default), test, python, deb, docs, bench, clang or fuzz.
 set -euo pipefail
 export LC_ALL=C
 
@@ -21,6 +21,14 @@ case $goal in
     packages="$packages python3-venv python3-dev"
     ;;
   python) packages="$packages python3-venv python3-dev" ;;
+  deb)
+    tools="$tools dpkg-dev file lintian mmdebstrap"
+    packages="$packages libgdal-dev python3-venv python3-dev"
+    ;;
+  docs)
+    tools="$tools doxygen"
+    packages="$packages python3-venv"
+    ;;
   bench) packages="$packages libbenchmark-dev libcgal-dev" ;;
   clang) tools="$tools clang" ;;
   fuzz)
@@ -28,7 +36,7 @@ case $goal in
     packages="$packages libgmp-dev"
     ;;
   *)
-    echo "usage: $0 [build|test|python|bench|clang|fuzz] [FOLDER]" >&2
+    echo "usage: $0 [build|test|python|deb|docs|bench|clang|fuzz] [FOLDER]" >&2
     exit 2
     ;;
 esac

@@ -30,6 +30,7 @@ endfunction()
 # Installed somewhere and then moved, as packages are.
 add_test(NAME package.install COMMAND ${consumer}/install.sh ${PROJECT_BINARY_DIR} ${prefix})
 set_tests_properties(package.install PROPERTIES FIXTURES_SETUP installed)
+add_test(NAME package.runtime COMMAND ${consumer}/runtime.sh ${PROJECT_BINARY_DIR} ${scratch}/runtime)
 set(installed -DCMAKE_PREFIX_PATH=${prefix})
 hodt_build_test(find_package ${consumer} terrain RUN terrain mesh.ply
                 OPTIONS ${installed} -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
