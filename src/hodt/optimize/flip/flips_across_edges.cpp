@@ -167,7 +167,7 @@ class Mover {
   const Gradient& gradient(HalfEdgeId h) const { return s_.gradients[TriangleMesh::triangle(h)]; }
   /// Takes up an edge to be measured; returns where its value will be.
   Index add(VertexId a, VertexId b, const Gradient& left, const Gradient& right) {
-    many_.set(size_, a, b, {left, left}, {right, right});
+    many_.set(size_, a, b, left, right);
     return size_++;
   }
   /// The same of an edge that is there, once with the triangle on its left as it is and once with
