@@ -20,10 +20,10 @@ Terrain rough_terrain(const support::Points& points) {
   return {points, support::rough_heights(points, 0.1, 6)};
 }
 
-TriangleMesh improved(const Terrain& terrain, const Objective& objective, Index k, Moves moves) {
+TriangleMesh improved(const Terrain& terrain, const Objective& objective, Index k, int most) {
   TriangleMesh mesh = terrain.delaunay.mesh;
   const EdgeValues values(objective, terrain.graph.xy, terrain.z());
-  improve_across_edges(terrain.graph, values, k, moves, {}, mesh);
+  improve_across_edges(terrain.graph, values, k, most, {}, mesh);
   return mesh;
 }
 
@@ -66,7 +66,7 @@ TEST_P(FlipsAcrossEdges, leave_none_that_is_better) {
       const Objective objective = objective_from_name(name);
       const EdgeValues values(objective, terrain.graph.xy, terrain.z());
       for (const Index k : {1u, 2u, 4u}) {
-        const TriangleMesh mesh = improved(terrain, objective, k, Moves::triples);
+        const TriangleMesh mesh = improved(terrain, objective, k, 6);
         ASSERT_EQ(problem(terrain, mesh, k), "") << name << ' ' << k << ' ' << terrain.source();
         const double value = values.of(mesh);
         const auto is_gain = [&](double other) {
@@ -95,7 +95,7 @@ TEST(FlipsAcrossEdges, are_the_same_on_any_number_of_threads) {
       TriangleMesh first;
       for (const std::size_t threads : {1u, 2u, 3u, 8u}) {
         const ThreadLimit limit(threads);
-        const TriangleMesh mesh = improved(terrain, objective, 4, Moves::triples);
+        const TriangleMesh mesh = improved(terrain, objective, 4, 6);
         if (threads == 1) {
           first = mesh;
           EXPECT_EQ(problem(terrain, mesh, 4), "");
@@ -111,10 +111,10 @@ TEST(FlipsAcrossEdges, leave_no_flip_at_borders) {
   const Terrain terrain = rough_terrain(support::uniform(10'000, 7));
   const Objective objective = objective_from_name("min-sum-abn");
   const EdgeValues values(objective, terrain.graph.xy, terrain.z());
-  for (const Moves moves : {Moves::single, Moves::triples}) {
-    const TriangleMesh mesh = improved(terrain, objective, 3, moves);
+  for (const int most : {1, 2, 3, 6}) {
+    const TriangleMesh mesh = improved(terrain, objective, 3, most);
     TriangleMesh again = mesh;
-    improve_across_edges(terrain.graph, values, 3, Moves::single, {}, again);
+    improve_across_edges(terrain.graph, values, 3, 1, {}, again);
     EXPECT_TRUE(support::same_arrays(mesh, again));
   }
 }
@@ -124,7 +124,7 @@ TEST(FlipsAcrossEdges, end_at_a_deadline) {
   const Objective objective = objective_from_name("min-sum-abn");
   const EdgeValues values(objective, terrain.graph.xy, terrain.z());
   TriangleMesh mesh = terrain.delaunay.mesh;
-  improve_across_edges(terrain.graph, values, 4, Moves::triples, Deadline(1e-4), mesh);
+  improve_across_edges(terrain.graph, values, 4, 6, Deadline(1e-4), mesh);
   EXPECT_EQ(problem(terrain, mesh, 4), "");
   EXPECT_LE(values.of(mesh), values.of(terrain.delaunay.mesh));
 }

@@ -13,6 +13,7 @@
 #include "../support/convert.h"
 #include "../support/inner_edges.h"
 #include "../support/shapes.h"
+#include "../support/terrains.h"
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"
@@ -469,7 +470,7 @@ TEST(OptimizeMeasure, measures_of_edges) {
           // By default a sum has a bound that takes little time.
           const bool is_quick =
               method == Method::automatic && objective.aggregate == Aggregate::sum;
-          EXPECT_LE(best.result - best.bound, (is_quick ? 0.3
+          EXPECT_LE(best.result - best.bound, (is_quick ? 0.36
                                                : k == 2 ? 0.02
                                                         : 0.06) *
                                                   best.result)
@@ -485,6 +486,37 @@ TEST(OptimizeMeasure, measures_of_edges) {
       }
     }
   }
+}
+
+/// What the default finds in little time is within 0.5 % of what a search found that charges edges
+/// to triangles in 50 rounds, and improves what that suggests.
+TEST(OptimizeMeasure, quick_sums_across_edges_are_good) {
+  const struct {
+    const char *name, *file;
+    double thorough_at_4, thorough_at_8;
+  } terrains[] = {{"jacksboro", "sample10000.csv", 230606.59622649144, 221571.40864988553},
+                  {"baja_soundings", "sample10000.csv", 110740.42322430764, 106369.2220279708},
+                  {"swiss_sic97", "sample10000.csv", 198203.55601257144, 192982.3614772367},
+                  {"glacier_contours", "points.csv", 266924.33568626986, 229046.50871760806}};
+  bool any = false;
+  for (const auto& [name, file, thorough_at_4, thorough_at_8] : terrains) {
+    const auto folder = support::terrain_folder(name);
+    if (!folder) continue;
+    any = true;
+    const Delaunay d = delaunay(read_points(*folder / file));
+    const DelaunayGraph graph(d);
+    for (const auto& [k, thorough] : {std::pair(4u, thorough_at_4), std::pair(8u, thorough_at_8)}) {
+      const MeasuredSolution quick =
+          optimize_measure({.graph = graph,
+                            .z = d.vertices.z,
+                            .order = k,
+                            .objective = objective_from_name("min-sum-abn")});
+      EXPECT_LE(quick.result, 1.005 * thorough) << name << ' ' << k;
+      EXPECT_LE(quick.bound, thorough) << name << ' ' << k;
+      EXPECT_GE(quick.bound, 0.6 * thorough) << name << ' ' << k;
+    }
+  }
+  if (!any) GTEST_SKIP() << support::no_terrain("jacksboro");
 }
 
 /// At order 1 the largest values are the least in turn, each as far as the larger ones leave it.

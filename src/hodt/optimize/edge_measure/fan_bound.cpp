@@ -223,7 +223,7 @@ void BestFan::measure_spokes() {
       count += first_to_[spoke + 1] - first_to_[spoke];
       for (Index place = first_to_[spoke]; place < first_to_[spoke + 1]; ++place) {
         const EdgeValues::Gradient &left = gradients_[a], &right = gradients_[arc_to_[place]];
-        many_.set(size_of_block++, center_, VertexId(around_[spoke]), {left, left}, {right, right});
+        many_.set(size_of_block++, center_, VertexId(around_[spoke]), left, right);
         if (size_of_block == ManyEdges::kSize) measure();
       }
     }

@@ -277,8 +277,8 @@ MeasuredSolution Optimizer::improve(const MeasuredSolution& first_order) {
 }
 
 double Optimizer::improve(TriangleMesh& mesh) const {
-  const Moves moves = problem_.method == Method::flip ? Moves::single : Moves::triples;
-  improve_across_edges(graph_, values_, problem_.order, moves, problem_.deadline, mesh);
+  const int most_flips = problem_.method == Method::flip ? 1 : 6;
+  improve_across_edges(graph_, values_, problem_.order, most_flips, problem_.deadline, mesh);
   return values_.of(mesh);
 }
 

@@ -86,7 +86,7 @@ struct Shared {
   const DelaunayGraph& graph;
   const EdgeValues& values;
   const Index k;
-  const Moves moves;
+  const int most_flips;
   const Deadline& deadline;
   TriangleMesh& mesh;
   Buffer<Gradient> gradients;  // of the triangles
@@ -103,8 +103,11 @@ class Mover {
   void run(const Block& block, std::span<const HalfEdgeId> edges, std::vector<HalfEdgeId>& left);
 
  private:
-  /// Of all that it changes, before and after together.
+  static constexpr int kUsual = 3;
+  /// Of all that a move changes, before and after together, what a part of it may lose.
   static constexpr double kMostLoss = 0.2;
+  /// Of a sum: more than moves of three flips gain over single ones on most terrain.
+  static constexpr double kMuch = 0.05;
 
   /// A side of the quadrilateral around an edge ab, with triangles abc and bad. It runs from p to
   /// q, counter-clockwise, and is in the triangle pqr once ab is flipped.
@@ -137,18 +140,23 @@ class Mover {
 
   void push(HalfEdgeId h);
   void push_around(HalfEdgeId h);
-  void empty_queue(Moves moves);
-  bool improve(HalfEdgeId h, Moves moves);
-  bool improve_by_pairs(const Flip& flip, const Gain& so_far);
-  bool improve_by_triples(const Flip& flip, const Gain& first);
+  double improve_all(std::span<const HalfEdgeId> edges, int most, double most_loss);
+  double value_of(std::span<const HalfEdgeId> edges) const;
+  bool is_time_up();
+  bool improve(HalfEdgeId h, int most);
+  bool go_on(const Flip& flip, const Gain& so_far, int most);
   bool find(HalfEdgeId h, Flip& flip);
   bool find(const Flip& flip, int side, SecondFlip& second);
   bool is_better(const Change& change, const Gain& so_far, const double* values) const;
   void make(HalfEdgeId h, const Gradient& with_origin, const Gradient& with_target);
   void undo();
-  bool keep_if_valid();
+  bool keep_if_valid(const Gain& gain);
   bool are_valid();
 
+  /// Whether it does not make a sum much worse.
+  bool is_beginning(const Gain& gain) const {
+    return !s_.values.is_sum() || -gain.gain <= most_loss_ * gain.scale;
+  }
   bool is_left(VertexId a, VertexId b, VertexId c) const {
     return orient(s_.graph.point(a), s_.graph.point(b), s_.graph.point(c)) > 0;
   }
@@ -159,7 +167,7 @@ class Mover {
   const Gradient& gradient(HalfEdgeId h) const { return s_.gradients[TriangleMesh::triangle(h)]; }
   /// Takes up an edge to be measured; returns where its value will be.
   Index add(VertexId a, VertexId b, const Gradient& left, const Gradient& right) {
-    many_.set(size_, a, b, {left, left}, {right, right});
+    many_.set(size_, a, b, left, right);
     return size_++;
   }
   /// The same of an edge that is there, once with the triangle on its left as it is and once with
@@ -178,10 +186,13 @@ class Mover {
   ManyEdges many_;
   Index size_ = 0;  // of what it was given
   Block block_;
-  std::vector<HalfEdgeId> queue_;
+  std::vector<HalfEdgeId> queue_, turn_;
   std::vector<HalfEdgeId>* left_ = nullptr;
   std::vector<Made> made_;    // of the move that is tried
   bool reaches_out_ = false;  // a move would leave the block
+  double most_loss_ = 0, gained_ = 0;
+  int until_check_ = 0;
+  bool is_time_up_ = false;
 };
 
 void Mover::push(HalfEdgeId h) {
@@ -209,31 +220,53 @@ void Mover::run(const Block& block, std::span<const HalfEdgeId> edges,
                 std::vector<HalfEdgeId>& left) {
   block_ = block;
   left_ = &left;
-  for (const HalfEdgeId h : edges) push(h);
-  empty_queue(Moves::single);
-  if (s_.moves == Moves::single) return;
-  for (const HalfEdgeId h : edges) push(h);
-  empty_queue(s_.moves);
+  // Longer moves take longer to look for: once there are few left, and where they gain much.
+  improve_all(edges, 1, kMostLoss);
+  if (s_.most_flips == 1) return;
+  const double gained = improve_all(edges, std::min(s_.most_flips, kUsual), kMostLoss);
+  if (s_.most_flips > kUsual && s_.values.is_sum() && gained > kMuch * value_of(edges))
+    improve_all(edges, s_.most_flips, 1);
 }
 
-void Mover::empty_queue(Moves moves) {
-  constexpr int kOften = 64;
-  for (int until_check = 0; !queue_.empty(); --until_check) {
-    if (until_check == 0) {
-      if (s_.deadline.passed()) break;
-      until_check = kOften;
+double Mover::value_of(std::span<const HalfEdgeId> edges) const {
+  double value = 0;
+  for (const HalfEdgeId h : edges)
+    if (!mesh_.is_boundary(h))
+      value +=
+          s_.values.across(mesh_.origin(h), mesh_.target(h), gradient(h), gradient(mesh_.twin(h)));
+  return value;
+}
+
+/// By moves of so many flips at most; returns what they gain.
+double Mover::improve_all(std::span<const HalfEdgeId> edges, int most, double most_loss) {
+  most_loss_ = most_loss;
+  gained_ = 0;
+  for (const HalfEdgeId h : edges) push(h);
+  // First come, first served: what is near a move waits until the rest had its turn.
+  while (!queue_.empty()) {
+    turn_.swap(queue_);
+    queue_.clear();
+    for (const HalfEdgeId h : turn_) {
+      s_.is_queued[h] = false;
+      if (is_time_up()) continue;
+      reaches_out_ = false;
+      if (!improve(h, most) && reaches_out_) left_->push_back(h);
     }
-    const HalfEdgeId h = queue_.back();
-    queue_.pop_back();
-    s_.is_queued[h] = false;
-    reaches_out_ = false;
-    if (!improve(h, moves) && reaches_out_) left_->push_back(h);
   }
-  queue_.clear();
+  return gained_;
+}
+
+bool Mover::is_time_up() {
+  constexpr int kOften = 64;
+  if (until_check_-- == 0) {
+    until_check_ = kOften;
+    is_time_up_ = s_.deadline.passed();
+  }
+  return is_time_up_;
 }
 
 /// Makes a move that begins with a flip of h, if there is one.
-bool Mover::improve(HalfEdgeId h, Moves moves) {
+bool Mover::improve(HalfEdgeId h, int most) {
   if (mesh_.is_boundary(h)) return false;  // since it was queued, it came to name another edge
   Flip flip;
   if (!find(h, flip)) return false;
@@ -241,13 +274,9 @@ bool Mover::improve(HalfEdgeId h, Moves moves) {
   const Gain gain = gain_of_sum(s_.values, flip.change, values);
   if (is_better(flip.change, {}, values)) {
     make(h, flip.with_a, flip.with_b);
-    if (keep_if_valid()) return true;
+    if (keep_if_valid(gain)) return true;
   }
-  // What makes a sum much worse is no beginning.
-  if (moves == Moves::single || (s_.values.is_sum() && -gain.gain > kMostLoss * gain.scale))
-    return false;
-  if (improve_by_pairs(flip, {})) return true;
-  return moves == Moves::triples && s_.values.is_sum() && improve_by_triples(flip, gain);
+  return most > 1 && is_beginning(gain) && go_on(flip, {}, most);
 }
 
 /// Of both flips, or of a sum, of all.
@@ -319,8 +348,9 @@ bool Mover::find(const Flip& flip, int side, SecondFlip& second) {
   return true;
 }
 
-/// By a flip and another one of a side, after what was gained so far.
-bool Mover::improve_by_pairs(const Flip& flip, const Gain& so_far) {
+/// By this flip and then, after what was gained so far, another one of a side; or, of sums, by
+/// more.
+bool Mover::go_on(const Flip& flip, const Gain& so_far, int most) {
   std::array<SecondFlip, 4> seconds;
   std::array<bool, 4> is_found;
   for (int i = 0; i < 4; ++i) is_found[i] = find(flip, i, seconds[i]);
@@ -329,19 +359,16 @@ bool Mover::improve_by_pairs(const Flip& flip, const Gain& so_far) {
     if (!is_found[i] || !is_better(seconds[i].change, so_far, values)) continue;
     make(flip.h, flip.with_a, flip.with_b);
     make(flip.sides[i].flipped, seconds[i].with_p, seconds[i].with_q);
-    if (keep_if_valid()) return true;
+    if (keep_if_valid(gain_of_sum(s_.values, seconds[i].change, values).plus(so_far))) return true;
     undo();
   }
-  return false;
-}
-
-/// By such a pair after the flip.
-bool Mover::improve_by_triples(const Flip& flip, const Gain& first) {
+  const Gain gain = gain_of_sum(s_.values, flip.change, values).plus(so_far);
+  if (most < 3 || !s_.values.is_sum() || !is_beginning(gain)) return false;
   make(flip.h, flip.with_a, flip.with_b);
   for (const Side& side : flip.sides) {
     Flip second;
     if (mesh_.is_boundary(side.flipped) || !find(side.flipped, second)) continue;
-    if (improve_by_pairs(second, first)) return true;
+    if (go_on(second, gain, most - 1)) return true;
   }
   undo();
   return false;
@@ -373,7 +400,7 @@ void Mover::undo() {
 }
 
 /// Ends the move that was made; else takes its last flip back.
-bool Mover::keep_if_valid() {
+bool Mover::keep_if_valid(const Gain& gain) {
   if (!are_valid()) {
     undo();
     return false;
@@ -381,6 +408,7 @@ bool Mover::keep_if_valid() {
   for (const Made& made : made_)
     for (const TriangleId t : made.triangles) push_around(TriangleMesh::halfedge(t));
   made_.clear();
+  gained_ += gain.gain;
   return true;
 }
 
@@ -452,11 +480,11 @@ class Levels {
 }  // namespace
 
 void improve_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index k,
-                          Moves moves, const Deadline& deadline, TriangleMesh& mesh) {
+                          int most_flips, const Deadline& deadline, TriangleMesh& mesh) {
   Shared shared{graph,
                 values,
                 k,
-                moves,
+                most_flips,
                 deadline,
                 mesh,
                 values.gradients(mesh),

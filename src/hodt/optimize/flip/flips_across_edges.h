@@ -2,28 +2,21 @@
 // cores. Tested by tests/optimize/flips_across_edges_test.cpp.
 #pragma once
 
-#include <cstdint>
-
 #include "hodt/base/deadline.h"
 #include "hodt/optimize/measure/edge_measures.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
 
-enum class Moves : std::uint8_t {
-  single,   ///< one flip
-  pairs,    ///< also two flips of which the first, alone, makes it worse or is not valid
-  triples,  ///< for sums also three
-};
-
-/// Flips as long as one, or two together, make the mesh better for the objective and leave
-/// triangles of order at most k, or until the deadline passes. A flip changes the values of the
-/// diagonal and of the four sides; better is a smaller sum of them, or for largest and smallest
-/// values lexicographically smaller sorted ones. So every move improves the sum, or the sorted
-/// values of all edges, and it ends. The mesh must be a triangulation of the graph's points of
-/// order at most k, with the same half-edges on the boundary. The same result on any number of
-/// threads.
+/// Flips as long as a move makes the mesh better for the objective and leaves triangles of order at
+/// most k, or until the deadline passes. A move is one flip or, up to `most_flips`, some one after
+/// another near each other that are of use together; more than two only for sums, and more than
+/// three only where they gain much. A flip changes the values of the diagonal and of the four
+/// sides; better is a better sum, or for largest and smallest values lexicographically better
+/// sorted ones. So every move improves the sum, or the sorted values of all edges, and it ends. The
+/// mesh must be a triangulation of the graph's points of order at most k, with the same half-edges
+/// on the boundary. The same result on any number of threads.
 void improve_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index k,
-                          Moves moves, const Deadline& deadline, TriangleMesh& mesh);
+                          int most_flips, const Deadline& deadline, TriangleMesh& mesh);
 
 }  // namespace hodt

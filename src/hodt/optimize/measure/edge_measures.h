@@ -79,14 +79,19 @@ class ManyEdges {
 
   /// Edge i, from a to b.
   void set(std::size_t i, VertexId a, VertexId b, const Gradients& left, const Gradients& right) {
+    set(i, a, b, left[0], right[0]);
+    left_[1].set(i, left[1]);
+    right_[1].set(i, right[1]);
+  }
+  /// The same, to be measured for gradients 0 alone.
+  void set(std::size_t i, VertexId a, VertexId b, const EdgeValues::Gradient& left,
+           const EdgeValues::Gradient& right) {
     const auto [x, y] = values_.along(a, b);
     ends_[i] = {a, b};
     x_[i] = x;
     y_[i] = y;
-    for (int g = 0; g < 2; ++g) {
-      left_[g].set(i, left[g]);
-      right_[g].set(i, right[g]);
-    }
+    left_[0].set(i, left);
+    right_[0].set(i, right);
   }
   /// The values of the first so many, for the gradients of these numbers.
   const double* measure(std::size_t size, int left, int right);
