@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hodt/base/deadline.h"
 #include "hodt/optimize/measure/edge_measures.h"
@@ -16,14 +17,34 @@ enum class Moves : std::uint8_t {
   triples,  ///< for sums also three
 };
 
+/// Has a say in every move.
+class MoveGuard {
+ public:
+  /// An edge ab that goes, between the triangles abc and bad, for dc.
+  struct Flip {
+    VertexId a, b, c, d;
+  };
+  MoveGuard() = default;
+  MoveGuard(const MoveGuard&) = delete;
+  MoveGuard& operator=(const MoveGuard&) = delete;
+  virtual ~MoveGuard() = default;
+
+  /// Whether it may be made: flips one after the other. Several threads ask at the same time, about
+  /// different vertices.
+  virtual bool allows(std::span<const Flip> move) = 0;
+  /// It was made.
+  virtual void take(std::span<const Flip> move) = 0;
+};
+
 /// Flips as long as one, or two together, make the mesh better for the objective and leave
 /// triangles of order at most k, or until the deadline passes. A flip changes the values of the
 /// diagonal and of the four sides; better is a smaller sum of them, or for largest and smallest
 /// values lexicographically smaller sorted ones. So every move improves the sum, or the sorted
 /// values of all edges, and it ends. The mesh must be a triangulation of the graph's points of
 /// order at most k, with the same half-edges on the boundary. The same result on any number of
-/// threads.
+/// threads. Only moves that the guard allows, if there is one.
 void improve_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index k,
-                          Moves moves, const Deadline& deadline, TriangleMesh& mesh);
+                          Moves moves, const Deadline& deadline, TriangleMesh& mesh,
+                          MoveGuard* guard = nullptr);
 
 }  // namespace hodt
