@@ -203,6 +203,17 @@ def test_pits_to_keep():
         hodt.triangulate(points, 8, "min-max-angle", min_pit_depth=5)
 
 
+def test_objectives_in_order():
+    points = terrain(3, n=60)
+    both = hodt.triangulate(points, 1, "min-local-minima,min-sum-abn")
+    first = hodt.triangulate(points, 1, "min-local-minima")
+    assert both.value == first.value and first.then == []
+    [then] = both.then
+    assert then["objective"] == "min-sum-abn"
+    assert then["value"]["bound_in_order"] and then["value"]["optimal"]
+    assert "min-sum-abn" in repr(both)
+
+
 def area(a, b, c):
     return np.abs((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])) / 2
 
@@ -272,6 +283,7 @@ def test_errors_of_a_measure_come_through(rng):
 @pytest.mark.parametrize("arguments, says", [
     (dict(objective="min-max-beauty"), "min-max-beauty"),
     (dict(objective=3), "objective"),
+    (dict(objective="min-sum-abn,min-sum-abn"), "twice"),
     (dict(method="magic"), "magic"),
     (dict(method="greedy", objective="min-max-angle"), "greedy"),
     (dict(time_limit=-1), "time_limit"),

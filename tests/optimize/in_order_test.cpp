@@ -245,7 +245,7 @@ TEST(InOrder, keeps_the_first_and_betters_the_second) {
 }
 
 TEST(InOrder, is_the_same_on_any_number_of_threads) {
-  const PointSet points = rough_terrain(3000, 3);
+  const PointSet points = rough_terrain(12000, 3);  // more than one block of flips
   for (const char* list : {"min-local-minima,min-sum-abn", "min-max-angle,min-local-extrema"})
     for (const Index k : {1u, 4u}) {
       const TriangulateOptions options = options_of(list, k);

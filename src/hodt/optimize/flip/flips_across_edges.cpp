@@ -91,6 +91,7 @@ struct Shared {
   TriangleMesh& mesh;
   Buffer<Gradient> gradients;  // of the triangles
   Buffer<bool> is_queued;      // a flag for every half-edge: written by the block of both its ends
+  MoveGuard* guard;            // or nullptr
 };
 
 /// Makes moves in a block until there are none left. Holds scratch memory for one thread.
@@ -188,7 +189,8 @@ class Mover {
   Block block_;
   std::vector<HalfEdgeId> queue_, turn_;
   std::vector<HalfEdgeId>* left_ = nullptr;
-  std::vector<Made> made_;    // of the move that is tried
+  std::vector<Made> made_;  // of the move that is tried
+  std::vector<MoveGuard::Flip> flips_;
   bool reaches_out_ = false;  // a move would leave the block
   double most_loss_ = 0, gained_ = 0;
   int until_check_ = 0;
@@ -378,6 +380,7 @@ bool Mover::go_on(const Flip& flip, const Gain& so_far, int most) {
 void Mover::make(HalfEdgeId h, const Gradient& with_origin, const Gradient& with_target) {
   const TriangleId t = TriangleMesh::triangle(h), u = TriangleMesh::triangle(mesh_.twin(h));
   made_.push_back({h, {t, u}, {s_.gradients[t], s_.gradients[u]}});
+  flips_.push_back({mesh_.origin(h), mesh_.target(h), mesh_.apex(h), mesh_.apex(mesh_.twin(h))});
   s_.gradients[t] = with_origin;
   s_.gradients[u] = with_target;
   mesh_.flip(h);
@@ -397,17 +400,20 @@ void Mover::undo() {
   mesh_.glue(across, outside_ad);
   for (int i = 0; i < 2; ++i) s_.gradients[triangles[i]] = gradients[i];
   made_.pop_back();
+  flips_.pop_back();
 }
 
 /// Ends the move that was made; else takes its last flip back.
 bool Mover::keep_if_valid(const Gain& gain) {
-  if (!are_valid()) {
+  if ((s_.guard && !s_.guard->allows(flips_)) || !are_valid()) {
     undo();
     return false;
   }
   for (const Made& made : made_)
     for (const TriangleId t : made.triangles) push_around(TriangleMesh::halfedge(t));
+  if (s_.guard) s_.guard->take(flips_);
   made_.clear();
+  flips_.clear();
   gained_ += gain.gain;
   return true;
 }
@@ -480,7 +486,8 @@ class Levels {
 }  // namespace
 
 void improve_across_edges(const DelaunayGraph& graph, const EdgeValues& values, Index k,
-                          int most_flips, const Deadline& deadline, TriangleMesh& mesh) {
+                          int most_flips, const Deadline& deadline, TriangleMesh& mesh,
+                          MoveGuard* guard) {
   Shared shared{graph,
                 values,
                 k,
@@ -488,7 +495,8 @@ void improve_across_edges(const DelaunayGraph& graph, const EdgeValues& values, 
                 deadline,
                 mesh,
                 values.gradients(mesh),
-                Buffer<bool>(mesh.halfedge_count(), false)};
+                Buffer<bool>(mesh.halfedge_count(), false),
+                guard};
   Levels(shared).run();
 }
 

@@ -1,11 +1,14 @@
 #include "hodt/optimize/in_order/improve_in_order.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "hodt/geometry/predicates.h"
+#include "hodt/optimize/flip/flips_across_edges.h"
 #include "hodt/optimize/in_order/exchange.h"
 #include "hodt/optimize/in_order/mesh_difference.h"
 #include "hodt/optimize/in_order/standing.h"
@@ -16,6 +19,43 @@ namespace hodt {
 namespace {
 
 constexpr int kMostRounds = 8;
+
+/// Whether its values depend on which edges there are, not on the triangles at them.
+bool is_of_degrees(const Objective& objective) {
+  return counts_extrema(objective) || objective == Objective::min_max_degree;
+}
+
+/// Lets objectives that are of degrees say what may be flipped.
+class KeepsValues final : public MoveGuard {
+ public:
+  explicit KeepsValues(std::span<const std::unique_ptr<Standing>> standings)
+      : standings_(standings) {}
+  bool allows(std::span<const Flip> move) override {
+    const Exchange exchange = exchange_of(move);
+    return std::all_of(standings_.begin(), standings_.end(),
+                       [&](const auto& standing) { return standing->effect(exchange) <= 0; });
+  }
+  void take(std::span<const Flip> move) override {
+    const Exchange exchange = exchange_of(move);
+    for (const auto& standing : standings_) standing->take(exchange);
+    any_ = true;
+  }
+  bool took_any() const { return any_; }
+
+ private:
+  /// Only with the edges; some may come and go.
+  static Exchange exchange_of(std::span<const Flip> move) {
+    Exchange exchange;
+    for (const auto& [a, b, c, d] : move) {
+      exchange.before.inside.push_back({a, b, c, d});
+      exchange.after.inside.push_back({d, c, a, b});
+    }
+    return exchange;
+  }
+
+  const std::span<const std::unique_ptr<Standing>> standings_;
+  std::atomic<bool> any_ = false;
+};
 
 class Improver {
  public:
@@ -77,8 +117,16 @@ void Improver::push(HalfEdgeId h) {
   queue_.push_back(h);
 }
 
-/// Whether any flip was made.
+/// Whether any flip was made. Several at once, where that is known how to.
 bool Improver::flip_all() {
+  const auto before = problem_.objectives.first(problem_.objectives.size() - 1);
+  const Objective& last = problem_.objectives.back();
+  if (is_of_edges(last) && std::all_of(before.begin(), before.end(), is_of_degrees)) {
+    KeepsValues guard({standings_.data(), before.size()});
+    improve_across_edges(graph_, EdgeValues(last, graph_.xy, problem_.z), problem_.order,
+                         3, problem_.deadline, mesh_, &guard);
+    return guard.took_any();
+  }
   bool any = false;
   for (Index h = 0; h < mesh_.halfedge_count(); ++h) push(HalfEdgeId(h));
   while (!queue_.empty() && !problem_.deadline.passed()) {
