@@ -11,6 +11,7 @@
 #include "app/layer_file.h"
 #include "app/mean_angle.h"
 #include "app/outputs.h"
+#include "app/picture_output.h"
 #include "app/points_input.h"
 #include "app/raster_output.h"
 #include "app/warning.h"
@@ -38,6 +39,7 @@ struct Arguments {
   std::string time_limit;
   KeepArguments keep;
   ChangesArguments changes;
+  PictureArguments picture;
   ConstraintArguments constraints;
   RasterArguments raster;
   std::string threads;
@@ -252,6 +254,11 @@ int run(const Arguments& arguments) {
 
   check_changes(arguments.changes, inputs_of(arguments), {{arguments.output, arguments.json}});
   options.tell_changes = arguments.changes.any();
+  check_picture(arguments.picture, inputs_of(arguments),
+                {{arguments.output, arguments.json, arguments.raster.hillshade,
+                  arguments.changes.pits, arguments.changes.changed}});
+  options.tell_delaunay = arguments.picture.any();
+  options.tell_orders |= arguments.picture.any();
 
   Stopwatch watch;
   TriangulateResult result;
@@ -283,6 +290,8 @@ int run(const Arguments& arguments) {
                     is_raster ? arguments.output : "", outputs);
     if (!is_raster) write_tin(result.tin, outputs.open(arguments.output));
     write_changes(arguments.changes, result, outputs);
+    write_picture(arguments.picture, input, parse_order(arguments.order).digits, result, joined,
+                  outputs);
     result.report.seconds.write = watch.lap();
     if (!is_raster) warn_of_rounding(arguments.output, result.tin);
     print_warnings(source.input);
@@ -326,6 +335,7 @@ void add_triangulate(CLI::App& app, Action& action) {
       ->type_name("S");
   add_keep(command, arguments->keep);
   add_changes(command, arguments->changes);
+  add_picture(command, arguments->picture);
   add_constraints(command, arguments->constraints);
   add_raster_options(command, arguments->raster);
   add_threads(command, arguments->threads);

@@ -17,7 +17,7 @@ packages="libtbb-dev libcli11-dev libfmt-dev nlohmann-json3-dev zlib1g-dev libsq
 case $goal in
   build) ;;
   test)
-    packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev libgdal-dev gdal-bin"
+    packages="$packages libgtest-dev librapidcheck-dev libgmp-dev libcgal-dev libgdal-dev gdal-bin librsvg2-2"
     packages="$packages python3-venv python3-dev"
     ;;
   python) packages="$packages python3-venv python3-dev" ;;

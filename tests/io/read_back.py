@@ -226,22 +226,28 @@ def read_gdal(mesh):
         same("order", order, mesh.order)
 
 
-def read_qgis(mesh):
+def qgis():
+    """Starts QGIS, which shows no window."""
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
-    from qgis.core import QgsApplication, QgsMesh, QgsMeshDatasetIndex, QgsMeshLayer
-    application = QgsApplication.instance()
-    if not application:
-        application = QgsApplication([], False)
-        application.initQgis()
+    from qgis import core
+    if not core.QgsApplication.instance():
+        qgis.application = core.QgsApplication([], False)
+        qgis.application.initQgis()
+    return core
+
+
+def read_qgis(mesh):
+    """The layers of meshes."""
+    core = qgis()
     for extension in (".nc", ".2dm", ".ply"):
         if extension == ".nc" and not mesh.has_heights and not mesh.order:
             continue  # it has no data, which QGIS wants
-        layer = QgsMeshLayer(mesh.file(extension), "mesh", "mdal")
+        layer = core.QgsMeshLayer(mesh.file(extension), "mesh", "mdal")
         require(layer.isValid(), extension + " is not valid")
         provider = layer.dataProvider()
         require(provider.vertexCount() == len(mesh.points), extension + " vertices")
         require(provider.faceCount() == len(mesh.triangles), extension + " faces")
-        native = QgsMesh()
+        native = core.QgsMesh()
         provider.populateMesh(native)
         near(extension + " points",
              [(p.x(), p.y(), p.z()) for p in (native.vertex(i) for i in range(len(mesh.points)))],
@@ -254,10 +260,38 @@ def read_qgis(mesh):
                  for i in range(provider.datasetGroupCount())}
         for name, expected in (("order", mesh.order), ("changed", mesh.changed)):
             if expected and extension == ".nc":
-                block = provider.datasetValues(QgsMeshDatasetIndex(names[name], 0), 0,
+                block = provider.datasetValues(core.QgsMeshDatasetIndex(names[name], 0), 0,
                                                len(expected))
                 same(extension + name, [int(block.value(i).scalar()) for i in range(len(expected))],
                      expected)
+
+
+def read_qgis_vector(mesh):
+    """The layers of features: a polygon a triangle."""
+    core = qgis()
+    corners = sorted(sorted(mesh.points[v] for v in triangle) for triangle in mesh.triangles)
+    for extension in (".gpkg", ".fgb", ".shp", ".geojson"):
+        if not os.path.exists(mesh.file(extension)):
+            continue  # hodt was built without GDAL
+        layer = core.QgsVectorLayer(mesh.file(extension), "triangles", "ogr")
+        require(layer.isValid(), extension + " is not valid")
+        require(layer.featureCount() == len(mesh.triangles), extension + " features")
+        require(layer.geometryType() == core.QgsWkbTypes.PolygonGeometry, extension + " polygons")
+        require(core.QgsWkbTypes.hasZ(layer.wkbType()) == mesh.has_heights, extension + " z")
+        found, orders = [], []
+        for feature in layer.getFeatures():
+            ring = list(feature.geometry().vertices())
+            require(len(ring) == 4 and ring[0] == ring[3], extension + " ring")
+            found.append(sorted((p.x(), p.y(), p.z() if mesh.has_heights else 0.0)
+                                for p in ring[:3]))
+            if mesh.order:
+                orders.append((feature["order"], feature["changed"]))
+        require(sorted(found) == corners, extension + " corners")
+        require(sorted(orders) == sorted(zip(mesh.order, mesh.changed)), extension + " orders")
+        if mesh.crs.startswith("EPSG"):
+            require(layer.crs().authid() == mesh.crs, f"{extension} {layer.crs().authid()}")
+        elif mesh.crs:
+            require(layer.crs().isValid(), extension + " crs")
 
 
 def main():

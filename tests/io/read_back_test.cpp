@@ -60,7 +60,7 @@ TEST_P(ReadBack, FindsWhatWasWritten) {
 
 INSTANTIATE_TEST_SUITE_P(By, ReadBack,
                          testing::Values("meshio", "vtk", "netcdf4", "xarray", "plyfile", "trimesh",
-                                         "landxml", "gltf", "gdal", "qgis"),
+                                         "landxml", "gltf", "gdal", "qgis", "qgis_vector"),
                          [](const auto& each) { return std::string(each.param); });
 
 }  // namespace

@@ -92,6 +92,23 @@ std::vector<std::string> crs_warnings(const std::string& crs) {
   return {};
 }
 
+CrsUnits crs_units(const std::string& crs) {
+  const std::optional<CrsFacts> facts = crs.empty() ? std::nullopt : crs_facts(crs);
+  if (!facts) return {};
+  const auto is_near = [](double unit, double metres) {
+    return std::fabs(unit / metres - 1) < 1e-5;  // the two kinds of feet are the same here
+  };
+  const auto short_name = [&](double unit, const std::string& name) -> std::string {
+    if (is_near(unit, 1)) return "m";
+    return is_near(unit, 0.3048) ? "ft" : name;
+  };
+  CrsUnits units;
+  units.horizontal = facts->is_geographic ? "°" : short_name(facts->unit, facts->unit_name);
+  if (facts->height_unit != 0)
+    units.vertical = short_name(facts->height_unit, facts->height_unit_name);
+  return units;
+}
+
 std::string crs_of_urn(const std::string& text) {
   constexpr std::string_view start = "urn:ogc:def:crs:";
   if (!text.starts_with(start)) return code_of(text).empty() ? text : code_of(text);

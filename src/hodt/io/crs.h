@@ -23,6 +23,12 @@ std::string crs_title(const std::string& crs);
 /// heights of other units than x and y. Without GDAL nothing is known.
 std::vector<std::string> crs_warnings(const std::string& crs);
 
+/// What the coordinates are counted in: "m", "ft", "°", or the unit's name; empty if unknown.
+struct CrsUnits {
+  std::string horizontal, vertical;
+};
+CrsUnits crs_units(const std::string& crs);
+
 /// The text of a code in a name of OGC: "EPSG:25832" for "urn:ogc:def:crs:EPSG::25832"; any other
 /// text stays.
 std::string crs_of_urn(const std::string& text);
