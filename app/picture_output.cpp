@@ -99,7 +99,7 @@ void write_picture(const PictureArguments& arguments, const std::string& name,
   options.unit = units.horizontal;
   options.height_unit = units.vertical;
   options.pack = png_of;
-  const Tin delaunay{result.tin.points, result.delaunay, result.tin.crs};
+  const Tin delaunay{result.tin.points, result.report.delaunay, result.tin.crs};
   const Picture picture =
       naming(name, [&] { return comparison_picture(delaunay, result.tin, options); });
   hodt::write_picture(picture, outputs.open(arguments.file));

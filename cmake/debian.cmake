@@ -108,7 +108,7 @@ endforeach()
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS ${gdal})
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${gdal}, librsvg2-2") # loaded likewise, for pictures as PNG
 
 # hodt.pc and hodtConfig.cmake ask for these.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -125,7 +125,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 math(EXPR next "${minor} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${minor}~), python3 (<< 3.${next}), python3-numpy (>= 1:1.24)")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS ${gdal})
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "${gdal}, librsvg2-2")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS
     "hodt, python3-matplotlib, python3-meshio, python3-geopandas, python3-shapely, python3-xarray")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${debian}/python3-hodt/postinst;${debian}/python3-hodt/prerm")

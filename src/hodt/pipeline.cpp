@@ -263,7 +263,7 @@ TriangulateResult triangulate(const PointSet& points, Prepared prepared,
 
   Stopwatch watch;
   if (options.tell_delaunay)
-    result.delaunay = triangle_list(delaunay.mesh, OutputNumbering(vertices, points.size()));
+    report.delaunay = triangle_list(delaunay.mesh, OutputNumbering(vertices, points.size()));
   TriangleMesh before;
   if (options.tell_changes) before = delaunay.mesh;
   if (options.objective != Objective::none) {

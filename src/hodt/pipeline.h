@@ -46,7 +46,7 @@ struct TriangulateOptions {
   bool tell_orders = false;
   /// Whether the result says what happened to the Delaunay triangulation. Tells the orders, too.
   bool tell_changes = false;
-  /// Whether the result has the Delaunay triangulation, too.
+  /// Whether the report has the Delaunay triangulation, too.
   bool tell_delaunay = false;
   /// Told what the job is doing; may be empty.
   Progress progress = {};
@@ -97,6 +97,9 @@ struct Report {
   std::optional<PitTotals> pits;
   /// Nothing unless options.tell_changes.
   WhatChanged changes = {};
+  /// The triangles of the (constrained) Delaunay triangulation, with the vertices of the TIN; none
+  /// unless options.tell_delaunay.
+  std::vector<std::array<Index, 3>> delaunay = {};
   Seconds seconds;
 };
 
@@ -105,9 +108,6 @@ struct TriangulateResult {
   /// the points. Points that constraints leave no triangle are left out, too.
   Tin tin;
   Report report;
-  /// The triangles of the (constrained) Delaunay triangulation, with the vertices of the TIN; none
-  /// unless options.tell_delaunay.
-  std::vector<std::array<Index, 3>> delaunay = {};
 };
 
 /// Triangulates the points, every triangle of order at most options.order, as good for the

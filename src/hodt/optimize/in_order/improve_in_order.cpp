@@ -123,8 +123,8 @@ bool Improver::flip_all() {
   const Objective& last = problem_.objectives.back();
   if (is_of_edges(last) && std::all_of(before.begin(), before.end(), is_of_degrees)) {
     KeepsValues guard({standings_.data(), before.size()});
-    improve_across_edges(graph_, EdgeValues(last, graph_.xy, problem_.z), problem_.order,
-                         3, problem_.deadline, mesh_, &guard);
+    improve_across_edges(graph_, EdgeValues(last, graph_.xy, problem_.z), problem_.order, 3,
+                         problem_.deadline, mesh_, &guard);
     return guard.took_any();
   }
   bool any = false;
