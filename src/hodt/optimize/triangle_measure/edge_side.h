@@ -16,11 +16,8 @@ struct EdgeSide {
   Index triangle = 0;       // by its place in some list
 
   /// On the left of u -> v.
-  EdgeSide(VertexId u, VertexId v, Index triangle)
-      : low(std::min<Index>(u, v)),
-        high(std::max<Index>(u, v)),
-        is_left(u < v),
-        triangle(triangle) {}
+  EdgeSide(VertexId u, VertexId v, Index t)
+      : low(std::min<Index>(u, v)), high(std::max<Index>(u, v)), is_left(u < v), triangle(t) {}
   EdgeSide() = default;
 
   auto edge() const { return std::tuple(low, high); }
