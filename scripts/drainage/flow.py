@@ -55,9 +55,10 @@ class Whitebox:
         """Of heights z, row 0 in the north, in cells of dx by dy."""
         hydrology = self._tools.hydrology
         dem = self._read(z, dx, dy)
-        filled = hydrology.fill_depressions(dem=dem, fix_flats=False)
-        drained = hydrology.fill_depressions(dem=dem, fix_flats=True)
-        pointer = hydrology.d8_pointer(dem=drained)
+        # By Wang and Liu: "fill_depressions" takes what leaves the raster through its border for pits.
+        # Filled flats rise by a millionth of a metre, so that they drain.
+        filled = hydrology.fill_depressions_wang_and_liu(dem=dem, fix_flats=True)
+        pointer = hydrology.d8_pointer(dem=filled)
         upstream = hydrology.d8_flow_accum(input=pointer, out_type="cells", input_is_pointer=True)
         basin = hydrology.basins(d8_pntr=pointer)
         return Flow(*(raster.to_numpy(dtype="float64").reshape(z.shape) for raster in (filled, upstream, basin)))

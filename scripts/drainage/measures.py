@@ -6,6 +6,7 @@ from scipy import ndimage
 STREAMS = (50, 200)  # cells upstream that make a stream
 TOLERANCES = (1, 2)  # cells that it may be off
 BASINS = 10
+FILLED = 1e-4  # metres of water that make a pit: flats are made to drain by far less
 
 
 def slope(z, dx, dy):
@@ -54,7 +55,7 @@ def fill_measures(z, flow, dx, dy):
     return {
         "fill_volume": float(depth.sum() * dx * dy),
         "fill_depth": float(depth.max()),
-        "fill_cells": int((depth > 0).sum()),
+        "fill_cells": int((depth > FILLED).sum()),
     }
 
 
