@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 """Tables of what scripts/drainage_experiment.py measured, as Markdown.
 
-    scripts/drainage_tables.py RUNS.csv
+    scripts/drainage_tables.py RUNS.csv [--share 0.1]
 
 For each terrain and setting the means over all samples, compared with the Delaunay triangulation (none@0) of
 the same sample: change of the error of heights and of the volume that fills the pits in %, and of the
 agreement of streams; behind each the standard deviation.
 """
 
+import argparse
 import collections
 import pathlib
-import sys
 
 import numpy as np
 
@@ -19,6 +19,13 @@ from drainage import records, terrains
 # The name of a measure, its column, and whether it is compared as a ratio.
 MEASURES = (("RMSE", "rmse", True), ("fill volume", "fill_volume", True), ("streams", "f1_50_1", False),
             ("slope error", "slope_error", True), ("basins", "basins", False))
+
+
+CONTOURS = "bigtujunga, contours"
+
+
+def name_of(row):
+    return CONTOURS if row["kind"] == "contours" else row["terrain"]
 
 
 def changes(rows):
@@ -37,7 +44,7 @@ def changes(rows):
             now, then = row[column], before[column]
             if now is None or then is None or (is_ratio and then == 0):
                 continue
-            found[row["terrain"], setting][column].append(100 * (now / then - 1) if is_ratio else now - then)
+            found[name_of(row), setting][column].append(100 * (now / then - 1) if is_ratio else now - then)
     return found
 
 
@@ -67,14 +74,33 @@ def table(found, names):
     print()
 
 
+def points_table(found):
+    """Of points, heights alone are known: a row for each set."""
+    settings = list(dict.fromkeys(setting for name, setting in found if name in terrains.POINTS))
+    print("| RMSE | " + " | ".join(f"`{setting}`" for setting in settings) + " |")
+    print("|---|" + "---|" * len(settings))
+    for name in terrains.POINTS:
+        if any(key[0] == name for key in found):
+            cells = [cell(found[name, setting]["rmse"], True) for setting in settings]
+            print(f"| {name} | " + " | ".join(cells) + " |")
+    print()
+
+
 def main():
-    rows = list(records.read(pathlib.Path(sys.argv[1])).values())
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("runs", type=pathlib.Path, metavar="RUNS.csv")
+    parser.add_argument("--share", help="only samples of so much of the cells")
+    arguments = parser.parse_args()
+    rows = [row for row in records.read(arguments.runs).values() if arguments.share in (None, row["share"])]
     found = changes(rows)
     for title, names in (("Where the setting was chosen", terrains.CHOOSING), ("Where it is shown", terrains.SHOWING),
-                         ("Points and contours", ("contours", *terrains.POINTS))):
+                         ("Contours of a raster", (CONTOURS,))):
         if any(name in names for name, _ in found):
             print(f"### {title}\n")
             table(found, names)
+    if any(name in terrains.POINTS for name, _ in found):
+        print("### Points, compared with the others of their set\n")
+        points_table(found)
 
 
 if __name__ == "__main__":
