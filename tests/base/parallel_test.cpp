@@ -1,9 +1,11 @@
 #include "hodt/base/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -82,4 +84,28 @@ TEST(Parallel, both_of_two_run) {
 }
 
 }  // namespace
+/// What failed beside it must not end a loop half done as if it were done.
+TEST(Parallel, loops_are_complete_while_work_beside_them_fails) {
+  constexpr std::size_t kCount = 2000;
+  for (int round = 0; round < 100; ++round) {
+    std::atomic<bool> has_begun = false, is_incomplete = false;
+    const auto fail = [&] {
+      for (int i = 0; i < 10'000 && !has_begun; ++i) std::this_thread::yield();
+      throw std::runtime_error("failed");
+    };
+    const auto compute = [&] {
+      std::vector<std::atomic<bool>> done(kCount);
+      parallel_for(0, kCount, 1, [&](std::size_t first, std::size_t last) {
+        has_begun = true;
+        for (std::size_t i = first; i < last; ++i) done[i] = true;
+        std::this_thread::yield();
+      });
+      is_incomplete =
+          !std::all_of(done.begin(), done.end(), [](const auto& d) { return d.load(); });
+    };
+    EXPECT_THROW(parallel_invoke(compute, fail), std::runtime_error);
+    ASSERT_FALSE(is_incomplete);
+  }
+}
+
 }  // namespace hodt

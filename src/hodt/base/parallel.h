@@ -29,6 +29,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 namespace hodt {
@@ -51,8 +52,12 @@ void parallel_for(std::size_t begin, std::size_t end, std::size_t grain, const F
 #ifdef HODT_PLAIN_THREADS
   plain_threads::parallel_for(begin, end, piece);
 #else
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
-                    [&](const tbb::blocked_range<std::size_t>& r) { piece(r.begin(), r.end()); });
+  // If work beside the loop fails, the loop goes on: to be cut short without an exception would
+  // look as if it were done.
+  tbb::task_group_context own(tbb::task_group_context::isolated);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(begin, end, grain),
+      [&](const tbb::blocked_range<std::size_t>& r) { piece(r.begin(), r.end()); }, own);
 #endif
 }
 
@@ -129,7 +134,8 @@ void parallel_invoke(const F& f, const G& g) {
 #ifdef HODT_PLAIN_THREADS
   plain_threads::parallel_invoke(stoppable(f), stoppable(g));
 #else
-  tbb::parallel_invoke(stoppable(f), stoppable(g));
+  tbb::task_group_context own(tbb::task_group_context::isolated);  // as for loops
+  tbb::parallel_invoke(stoppable(f), stoppable(g), own);
 #endif
 }
 
