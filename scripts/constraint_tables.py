@@ -10,18 +10,11 @@ import gzip
 import json
 import math
 import pathlib
-import subprocess
 import tempfile
 
+from run_hodt import triangulated
+
 MESHES = ["mesh_merimbula", "mesh_japan_sea", "mesh_shinnecock"]
-
-
-def triangulate(hodt, points, folder, *options):
-    """The report of one run."""
-    report = folder / "report.json"
-    command = [hodt, "triangulate", points, "-o", folder / "tin.ply", "--json", report, *options]
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
-    return json.loads(report.read_text())
 
 
 def glacier_lines(data):
@@ -113,7 +106,7 @@ def contours(hodt, data, folder):
                 table.write("%r,%r,%r\n" % vertex)
         file.write_text(json.dumps({"type": "MultiLineString", "coordinates": lines}))
         for order in [1, 4, 8]:
-            report = triangulate(hodt, points, folder, "-k", order, "--breaklines", file,
+            report = triangulated(hodt, points, folder, "-k", order, "--breaklines", file,
                                  "--split-crossings", "--objective", "min-sum-flat-area")
             value = report["value"]
             print("| %s | %d | %d | %d | %.6g | %.6g | %.6g | %s |" % (
@@ -138,7 +131,7 @@ def meshes(hodt, data, folder):
         mesh = folder / "mesh.obj"
         write_mesh(data / name, mesh)
         for objective in ["min-max-angle", "min-sum-length"]:
-            report = triangulate(hodt, mesh, folder, "-k", 4, "--objective", objective)
+            report = triangulated(hodt, mesh, folder, "-k", 4, "--objective", objective)
             value = report["value"]
             print("| %s | %d | %d | %s | %.9g | %.9g | %.9g | %.9g | %s |" % (
                 name, report["triangles"], report["input"]["order"], objective, value["input"],

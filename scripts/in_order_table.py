@@ -9,9 +9,10 @@ order than alone.
 """
 
 import argparse
-import json
 import pathlib
-import subprocess
+import tempfile
+
+from run_hodt import triangulated
 
 TERRAINS = [
     ("whitebox_dem", "sample10000.csv"),
@@ -27,25 +28,13 @@ TERRAINS = [
 FIRST = "min-local-minima"
 
 
-def report(arguments, points, k, objective):
-    run = subprocess.run(
-        [arguments.hodt, "triangulate", points, "-o", arguments.mesh, "-k", str(k), "--objective",
-         objective, "--json", "-"], check=True, capture_output=True, text=True)
-    return json.loads(run.stdout)
-
-
 def minima(report, stage):
     return sum(report["local_minima"][stage].values())
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--data", type=pathlib.Path, required=True)
-    parser.add_argument("--hodt", default="build/release/hodt")
-    parser.add_argument("--then", default="min-sum-abn")
-    parser.add_argument("--mesh", default="in_order.ply", help="written and written again")
-    parser.add_argument("--orders", default="1,4,8")
-    arguments = parser.parse_args()
+def table(arguments, folder):
+    def report(points, k, objective):
+        return triangulated(arguments.hodt, points, folder, "-k", k, "--objective", objective)
 
     print(f"| | k | minima: Delaunay | in order | `{arguments.then}` alone | "
           f"`{arguments.then}`: Delaunay | alone | in order | distance |")
@@ -53,8 +42,8 @@ def main():
     for name, file in TERRAINS:
         points = arguments.data / name / file
         for k in map(int, arguments.orders.split(",")):
-            alone = report(arguments, points, k, arguments.then)
-            both = report(arguments, points, k, f"{FIRST},{arguments.then}")
+            alone = report(points, k, arguments.then)
+            both = report(points, k, f"{FIRST},{arguments.then}")
             ordered, second = both["then"][0]["value"], alone["value"]
             distance = 100 * (ordered["result"] / second["result"] - 1)
             proven = " (proven best)" if ordered["optimal"] else ""
@@ -62,6 +51,17 @@ def main():
                   f"{minima(alone, 'result')} | {second['delaunay']:.0f} | "
                   f"{second['result']:.0f} | {ordered['result']:.0f} | {distance:.2f} %{proven} |",
                   flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--data", type=pathlib.Path, required=True)
+    parser.add_argument("--hodt", default="build/release/hodt")
+    parser.add_argument("--then", default="min-sum-abn")
+    parser.add_argument("--orders", default="1,4,8")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        table(arguments, pathlib.Path(folder))
 
 
 if __name__ == "__main__":

@@ -7,20 +7,13 @@ DIR holds NAME/sample10000.csv, 10,000 points each. Without DIR, the built-in te
 """
 
 import argparse
-import json
 import pathlib
 import subprocess
 import tempfile
 
+from run_hodt import triangulated
+
 ORDERS = [0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 48, 96]
-
-
-def run(hodt, points, order, folder):
-    """The report of one triangulation."""
-    report = folder / "report.json"
-    command = [hodt, "triangulate", points, "-k", order, "-o", folder / "tin.ply", "--json", report]
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
-    return json.loads(report.read_text())
 
 
 def row(report):
@@ -39,7 +32,7 @@ def table(hodt, name, points, folder):
     print("| k | minima | interior | bound | | largest order | triangles of order 0 | seconds |")
     print("|---|---|---|---|---|---|---|---|")
     for order in ORDERS:
-        print(row(run(hodt, points, order, folder)), flush=True)
+        print(row(triangulated(hodt, points, folder, "-k", order)), flush=True)
 
 
 def main():
