@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <memory>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/shared_library.h"
 
 namespace hodt {
 
@@ -47,26 +47,17 @@ struct Functions {
   void (*cairo_destroy)(Context*);
 };
 
-[[noreturn]] void refuse_to_load() {
-  const char* const error = dlerror();
+[[noreturn]] void refuse_to_load(const std::string& why) {
   throw ParameterError(fmt::format(
       "a picture as .png needs librsvg 2.46 or later, which cannot be loaded ({}); install it (on "
       "Debian: apt install librsvg2-2), or write .svg",
-      error ? error : "unknown error"));
-}
-
-/// The functions are found in the library and in those that it needs.
-template <class F>
-void load_function(void* library, const char* name, F& function) {
-  function = reinterpret_cast<F>(dlsym(library, name));
-  if (!function) refuse_to_load();
+      why));
 }
 
 Functions load() {
-  void* const library = dlopen("librsvg-2.so.2", RTLD_LAZY | RTLD_LOCAL);
-  if (!library) refuse_to_load();
+  const SharedLibrary library({"librsvg-2.so.2"}, refuse_to_load);
   Functions functions{};
-#define HODT_LOAD(name) load_function(library, #name, functions.name)
+#define HODT_LOAD(name) library.find(#name, functions.name)
   HODT_LOAD(rsvg_handle_new_from_data);
   HODT_LOAD(rsvg_handle_render_document);
   HODT_LOAD(g_object_unref);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
 #include "hodt/io/formats.h"
+#include "hodt/io/shared_library.h"
 
 namespace hodt {
 
@@ -20,29 +20,12 @@ namespace {
                   why));
 }
 
-std::string loading_error() {
-  const char* const error = dlerror();
-  return error ? error : "unknown error";
-}
-
-void* load_library() {
-  for (const char* const name : {HODT_GDAL_SONAME, HODT_GDAL_LIBRARY})
-    if (void* const library = dlopen(name, RTLD_LAZY | RTLD_LOCAL)) return library;
-  refuse(loading_error());
-}
-
-template <class F>
-void load_function(void* library, const char* name, F& function) {
-  function = reinterpret_cast<F>(dlsym(library, name));
-  if (!function) refuse(loading_error());
-}
-
 void CPL_STDCALL ignore(CPLErr, CPLErrorNum, const char*) {}
 
 GdalFunctions load() {
-  void* const library = load_library();
+  const SharedLibrary library({HODT_GDAL_SONAME, HODT_GDAL_LIBRARY}, refuse);
   GdalFunctions functions{};
-#define HODT_LOAD(name) load_function(library, #name, functions.name);
+#define HODT_LOAD(name) library.find(#name, functions.name);
   HODT_GDAL_FUNCTIONS(HODT_LOAD)
 #undef HODT_LOAD
   functions.CPLPushErrorHandlerEx(ignore, nullptr);  // a plug-in's that cannot be loaded
