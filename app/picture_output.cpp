@@ -19,11 +19,8 @@ Window parse_window(const std::string& text) {
         fmt::format("--window must be XMIN,YMIN,XMAX,YMAX, the larger ones last, not '{}'", text));
   };
   std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    numbers.push_back(parse_number("--window", text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  for (const std::string& number : CLI::detail::split(text + ",", ','))
+    numbers.push_back(parse_number("--window", number));
   if (numbers.size() != 4) refuse();
   const Window window{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
   if (!(window.low.x < window.high.x && window.low.y < window.high.y)) refuse();
@@ -32,8 +29,7 @@ Window parse_window(const std::string& text) {
 
 /// Minima are what pits are made of; where an objective is about maxima, these are looked at.
 void choose_extrema(Objective objective, PictureOptions& options) {
-  options.maxima =
-      objective == Objective::min_local_maxima || objective == Objective::min_local_extrema;
+  options.maxima = counts_maxima(objective);
   options.minima = objective != Objective::min_local_maxima;
 }
 

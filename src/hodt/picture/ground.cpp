@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hodt/tin/raster.h"
+#include "hodt/tin/slope.h"
 
 namespace hodt {
 namespace {
@@ -18,15 +19,12 @@ constexpr Colour kPaper{253, 252, 249};
 
 /// How the plane through a triangle rises to the east and to the north.
 Point gradient(const Tin& tin, const std::array<Index, 3>& corner) {
-  const Point& a = tin.points.xy[corner[0]];
-  const Point& b = tin.points.xy[corner[1]];
-  const Point& c = tin.points.xy[corner[2]];
+  const auto& [a, b, c] = corner;
+  const std::vector<Point>& xy = tin.points.xy;
   const std::vector<double>& z = tin.points.z;
-  const double ab = z[corner[1]] - z[corner[0]];
-  const double ac = z[corner[2]] - z[corner[0]];
-  const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-  const Point slope{(ab * (c.y - a.y) - ac * (b.y - a.y)) / area,
-                    (ac * (b.x - a.x) - ab * (c.x - a.x)) / area};
+  const Normal normal = normal_of(xy[a], xy[b], xy[c], z[a], z[b], z[c]);
+  const double steepness = -normal.height / (normal.width * normal.up);
+  const Point slope{steepness * normal.east, steepness * normal.north};
   return std::isfinite(slope.x) && std::isfinite(slope.y) ? slope : Point{};
 }
 
