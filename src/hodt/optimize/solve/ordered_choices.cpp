@@ -11,6 +11,7 @@
 
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/wide_integer.h"
+#include "hodt/optimize/solve/choice_parts.h"
 
 namespace hodt {
 
@@ -173,10 +174,8 @@ bool OrderedChoices::Part::add_tables(std::span<const Index> terms) {
     const Term& term = all_.terms_[t];
     if (term.size > kWidest) return false;
     Table table{{}, std::vector<Cost>(settings(term), zero())};
-    for (const Index choice : all_.choices_of(term)) {
-      const auto place = std::lower_bound(choices_.begin(), choices_.end(), choice);
-      table.choices.push_back(static_cast<Index>(place - choices_.begin()));
-    }
+    for (const Index choice : all_.choices_of(term))
+      table.choices.push_back(place_in(choices_, choice));
     if (term.level == kForbidden) {
       table.costs[term.first_cost][0] = 1;
     } else {
@@ -242,10 +241,7 @@ void OrderedChoices::Part::eliminate(Index i) {
   for (const Index t : tables) {
     auto& of_table = places.emplace_back();
     for (const Index j : tables_[t].choices)
-      of_table.push_back(
-          j == i ? others.size()
-                 : static_cast<std::size_t>(std::lower_bound(others.begin(), others.end(), j) -
-                                            others.begin()));
+      of_table.push_back(j == i ? others.size() : std::size_t{place_in(others, j)});
   }
   const auto cost_of = [&](std::size_t setting) {
     Cost cost = zero();
