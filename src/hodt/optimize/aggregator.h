@@ -2,7 +2,9 @@
 // Tested by tests/optimize/optimize_measure_test.cpp.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <span>
 
@@ -79,6 +81,24 @@ class Aggregator {
  private:
   Objective objective_;
 };
+
+/// What rounding can have made of equal sums of a few values, as a share of what was added up.
+inline constexpr double kRoundingOfSums = 1e-13;
+
+/// For largest and smallest values: whether as many others are lexicographically better once both
+/// are sorted, the value that counts most first. Sorts them.
+inline bool is_better_sorted(const Aggregator& aggregator, std::span<double> before,
+                             std::span<double> after) {
+  const bool is_largest = aggregator.objective().aggregate == Aggregate::max;
+  for (const std::span<double> values : {before, after}) {
+    if (is_largest)
+      std::sort(values.begin(), values.end(), std::greater<>());
+    else
+      std::sort(values.begin(), values.end());
+  }
+  const auto [x, y] = std::mismatch(after.begin(), after.end(), before.begin());
+  return x != after.end() && aggregator.better(*x, *y);
+}
 
 /// What many values combine to; of sums, without rounding.
 class Total {

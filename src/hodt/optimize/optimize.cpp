@@ -70,15 +70,12 @@ Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objectiv
 
 namespace {
 
-/// A flag for every vertex: a minimum of the Delaunay triangulation that has to stay one.
-Buffer<bool> kept_minima(const DelaunayGraph& graph, std::span<const double> z,
-                         std::span<const bool> keep) {
-  Buffer<bool> kept(graph.xy.size(), false);
-  if (keep.empty()) return kept;
+/// Minima of the Delaunay triangulation that have to stay, a flag for every vertex.
+Buffer<bool> minima_to_keep(const DelaunayGraph& graph, std::span<const double> z,
+                            std::span<const bool> keep) {
+  if (keep.empty()) return Buffer<bool>(graph.xy.size(), false);
   const Heights heights{graph.xy, z};
-  const Buffer<std::uint8_t> extrema = extrema_of(graph.mesh, heights, Objective::min_local_minima);
-  for (std::size_t v = 0; v < kept.size(); ++v) kept[v] = keep[v] && extrema[v] != 0;
-  return kept;
+  return kept_minima(extrema_of(graph.mesh, heights, Objective::min_local_minima), keep);
 }
 
 bool meets(const Objective& objective, double result, double bound) {
@@ -99,15 +96,17 @@ class InOrder {
     Optimum first = optimize(graph_, z_, objectives_.front(), options_);
     OrderedOptimum result{std::move(first.change), first.value, {}};
     if (objectives_.size() == 1) return result;
-    kept_ = kept_minima(graph_, z_, options_.keep);
+    kept_ = minima_to_keep(graph_, z_, options_.keep);
     mesh_ = result.change.applied_to(graph_.mesh);
+    // A value that is proven is the one to keep, so that there is no need to search for a better.
+    bool is_best = result.value.optimal && order() == 1 && solve_first_order();
     for (std::size_t i = 1; i < objectives_.size(); ++i) {
       const Optimum alone = optimize(graph_, z_, objectives_[i], options_);
       if (options_.progress) options_.progress("objectives in order", -1);
-      add(i, alone.change.applied_to(graph_.mesh));
+      if (!is_best) add(i, alone.change.applied_to(graph_.mesh));
       result.then.push_back({objectives_[i], alone.value, false});
     }
-    const bool is_best = order() == 1 && solve_first_order();
+    if (!is_best && order() == 1) is_best = solve_rest_of_first_order();
     set(0, result.value);
     for (std::size_t i = 1; i < objectives_.size(); ++i) {
       LaterValue& later = result.then[i - 1];
@@ -154,9 +153,18 @@ class InOrder {
         return hodt::is_better(objectives_[i], x, y);
     return false;
   }
-  /// Whether the mesh is then the best of all.
+  FirstOrderInOrder first_order() const {
+    return first_order_in_order(problem(objectives_.size()), mesh_);
+  }
+  /// Whether the mesh is now the best of all.
   bool solve_first_order() {
-    FirstOrderInOrder solved = first_order_in_order(problem(objectives_.size()), mesh_);
+    FirstOrderInOrder solved = first_order();
+    if (solved.is_best) mesh_ = std::move(solved.mesh);
+    return solved.is_best;
+  }
+  /// The same, taking what can be solved.
+  bool solve_rest_of_first_order() {
+    FirstOrderInOrder solved = first_order();
     // By sums, as they are before rounding, nothing is better than the best.
     if (!solved.is_best && is_better(mesh_, solved.mesh, objectives_.size())) return false;
     mesh_ = std::move(solved.mesh);

@@ -54,16 +54,20 @@ std::size_t count_extrema(std::span<const std::uint8_t> extrema) {
   return count;
 }
 
+Buffer<bool> kept_minima(std::span<const std::uint8_t> extrema, std::span<const bool> keep) {
+  Buffer<bool> kept(extrema.size(), false);
+  for (std::size_t v = 0; v < keep.size(); ++v)
+    kept[v] = keep[v] && (extrema[v] & bit(Extremum::minimum)) != 0;
+  return kept;
+}
+
 ExtremaTriangulation::ExtremaTriangulation(const DelaunayGraph& graph, const Heights& heights,
                                            Objective objective, std::span<const bool> keep)
     : heights_(heights),
       objective_(objective),
       triangulation_(graph),
       extrema_(extrema_of(graph.mesh, heights, objective)),
-      kept_(graph.xy.size(), false) {
-  for (Index v = 0; v < keep.size(); ++v)
-    kept_[v] = keep[v] && is_extremum(VertexId(v), Extremum::minimum);
-}
+      kept_(kept_minima(extrema_, keep)) {}
 
 bool ExtremaTriangulation::keeps_all() const {
   for (Index v = 0; v < kept_.size(); ++v)

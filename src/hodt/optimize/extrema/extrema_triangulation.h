@@ -22,6 +22,10 @@ Buffer<std::uint8_t> extrema_of(const TriangleMesh& mesh, const Heights& heights
 /// How many extrema these are: a vertex may be two.
 std::size_t count_extrema(std::span<const std::uint8_t> extrema);
 
+/// A flag for every vertex: a local minimum among these that has to stay one. `keep` has a flag for
+/// every vertex, or none at all.
+Buffer<bool> kept_minima(std::span<const std::uint8_t> extrema, std::span<const bool> keep);
+
 /// It starts as the Delaunay triangulation.
 class ExtremaTriangulation {
  public:

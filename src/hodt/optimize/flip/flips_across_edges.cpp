@@ -50,7 +50,7 @@ struct Gain {
 
   Gain plus(const Gain& other) const { return {gain + other.gain, scale + other.scale}; }
   /// What rounding can have made of equal sums is none.
-  bool is_real() const { return gain > 1e-13 * scale; }
+  bool is_real() const { return gain > kRoundingOfSums * scale; }
 };
 
 Gain gain_of_sum(const Aggregator& aggregator, const Change& change, const double* values) {
@@ -62,22 +62,15 @@ Gain gain_of_sum(const Aggregator& aggregator, const Change& change, const doubl
   return {aggregator.sign() * (before - after), before + after};
 }
 
-/// Whether the sorted values after a change are lexicographically better, the one that counts most
-/// first.
+/// Whether it makes largest or smallest values better.
 bool is_better_sorted(const Aggregator& aggregator, const Change& change, const double* values) {
   std::array<double, 7> before, after;
   for (std::size_t i = 0; i < change.size; ++i) {
     before[i] = values[change.before[i]];
     after[i] = values[change.after[i]];
   }
-  for (std::array<double, 7>* const v : {&before, &after}) {
-    std::sort(v->begin(), v->begin() + change.size);
-    if (aggregator.objective().aggregate == Aggregate::max)
-      std::reverse(v->begin(), v->begin() + change.size);
-  }
-  for (std::size_t i = 0; i < change.size; ++i)
-    if (before[i] != after[i]) return aggregator.better(after[i], before[i]);
-  return false;
+  return is_better_sorted(aggregator, std::span(before).first(change.size),
+                          std::span(after).first(change.size));
 }
 
 /// What all threads change, each in its own block: triangles with all corners there, their

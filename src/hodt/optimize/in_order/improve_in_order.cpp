@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "hodt/geometry/predicates.h"
+#include "hodt/optimize/flip/flipper.h"
 #include "hodt/optimize/flip/flips_across_edges.h"
 #include "hodt/optimize/in_order/exchange.h"
 #include "hodt/optimize/in_order/mesh_difference.h"
 #include "hodt/optimize/in_order/standing.h"
-#include "hodt/order/circle_counter.h"
 
 namespace hodt {
 
@@ -60,11 +59,7 @@ class KeepsValues final : public MoveGuard {
 class Improver {
  public:
   Improver(const OrderedProblem& problem, TriangleMesh& mesh)
-      : problem_(problem),
-        graph_(problem.graph),
-        mesh_(mesh),
-        counter_(problem.graph),
-        queued_(mesh.halfedge_count(), false) {
+      : problem_(problem), graph_(problem.graph), mesh_(mesh) {
     for (const Objective& objective : problem.objectives)
       standings_.push_back(standing_of(objective, graph_.xy, problem.z, problem.kept, mesh));
   }
@@ -78,25 +73,27 @@ class Improver {
   }
 
  private:
+  /// What the flipper asks and tells.
+  struct Wanted {
+    Improver& improver;
+    bool operator()(const TriangleMesh&, HalfEdgeId h, const Quadrilateral& q) {
+      improver.look_at_flip(h, q);
+      return improver.is_wanted();
+    }
+    void flipped(const Quadrilateral&) { improver.take(); }
+  };
+
   bool flip_all();
   bool exchange_all(const TriangleMesh& other);
   bool is_wanted();
   void take();
-  void push(HalfEdgeId h);
-  bool look_at_flip(HalfEdgeId h);
-  bool is_in_order(const Exchange::Corners& t) {
-    return counter_.count(t[0], t[1], t[2], problem_.order) <= problem_.order;
-  }
-  void push_around(HalfEdgeId diagonal);
+  void look_at_flip(HalfEdgeId h, const Quadrilateral& q);
 
   const OrderedProblem& problem_;
   const DelaunayGraph& graph_;
   TriangleMesh& mesh_;
-  CircleCounter counter_;
   std::vector<std::unique_ptr<Standing>> standings_;
   Exchange exchange_;  // that is looked at
-  std::vector<bool> queued_;
-  std::vector<HalfEdgeId> queue_;
 };
 
 /// Whether the objectives agree to the exchange, the first that does not mind leaving the word to
@@ -111,12 +108,6 @@ void Improver::take() {
   for (const auto& standing : standings_) standing->take(exchange_);
 }
 
-void Improver::push(HalfEdgeId h) {
-  if (mesh_.is_boundary(h) || queued_[h] || queued_[mesh_.twin(h)]) return;
-  queued_[h] = true;
-  queue_.push_back(h);
-}
-
 /// Whether any flip was made. Several at once, where that is known how to.
 bool Improver::flip_all() {
   const auto before = problem_.objectives.first(problem_.objectives.size() - 1);
@@ -127,49 +118,20 @@ bool Improver::flip_all() {
                          problem_.deadline, mesh_, &guard);
     return guard.took_any();
   }
-  bool any = false;
-  for (Index h = 0; h < mesh_.halfedge_count(); ++h) push(HalfEdgeId(h));
-  while (!queue_.empty() && !problem_.deadline.passed()) {
-    const HalfEdgeId h = queue_.back();
-    queue_.pop_back();
-    queued_[h] = false;
-    // Since it was queued, it may have come to name another edge.
-    if (mesh_.is_boundary(h) || !look_at_flip(h) || !is_wanted()) continue;
-    if (!is_in_order(exchange_.after.triangles[0]) || !is_in_order(exchange_.after.triangles[1]))
-      continue;
-    take();
-    push_around(mesh_.flip(h));
-    any = true;
-  }
-  return any;
+  Wanted wanted{*this};
+  return Flipper(graph_, problem_.order, wanted, mesh_).run(problem_.deadline);
 }
 
-/// Flips near a new diagonal can have become better, or worse.
-void Improver::push_around(HalfEdgeId diagonal) {
-  for (const HalfEdgeId inner : {diagonal, mesh_.twin(diagonal)})
-    for (const HalfEdgeId side : {TriangleMesh::next(inner), TriangleMesh::prev(inner)}) {
-      push(side);
-      if (mesh_.is_boundary(side)) continue;
-      push(TriangleMesh::next(mesh_.twin(side)));
-      push(TriangleMesh::prev(mesh_.twin(side)));
-    }
-}
-
-/// Whether the edge can be flipped, but for the order; if so, that is the exchange looked at.
+/// Makes a flip the exchange looked at.
 ///
 ///         c                 c
 ///       /   \             / | \      The sides keep what is beyond them, and get the triangle
 ///      a --> b    ==>    a  |  b     adc or bcd.
 ///       \   /             \ | /
 ///         d                 d
-bool Improver::look_at_flip(HalfEdgeId h) {
+void Improver::look_at_flip(HalfEdgeId h, const Quadrilateral& q) {
   const HalfEdgeId twin = mesh_.twin(h);
-  const VertexId a = mesh_.origin(h), b = mesh_.target(h);
-  const VertexId c = mesh_.apex(h), d = mesh_.apex(twin);
-  const auto turn = [&](VertexId u, VertexId v, VertexId w) {
-    return orient(graph_.point(u), graph_.point(v), graph_.point(w));
-  };
-  if (turn(a, d, c) <= 0 || turn(b, c, d) <= 0 || graph_.is_wall(a, b)) return false;
+  const auto& [a, b, c, d] = q;
   exchange_.before.triangles = {{a, b, c}, {b, a, d}};
   exchange_.before.inside = {{a, b, c, d}};
   exchange_.before.around.clear();
@@ -187,7 +149,6 @@ bool Improver::look_at_flip(HalfEdgeId h) {
     exchange_.before.around.push_back({u, v, mesh_.apex(side), beyond});
     exchange_.after.around.push_back({u, v, apex, beyond});
   }
-  return true;
 }
 
 /// Whether any region was exchanged. Again as long as one was, as that can let others follow.

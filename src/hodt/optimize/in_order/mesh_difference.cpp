@@ -8,6 +8,45 @@
 
 namespace hodt {
 
+namespace {
+
+/// Adds to the places of a region all that is reached from them without crossing a common edge.
+template <class IsCommon>
+void spread(const TriangleMesh& mesh, const IsCommon& is_common, Index region,
+            Buffer<Index>& regions, std::vector<TriangleId>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (Index side = 0; side < 3; ++side) {
+      const HalfEdgeId h(3 * places[i] + side);
+      if (is_common(h)) continue;
+      const TriangleId beyond = TriangleMesh::triangle(mesh.twin(h));
+      if (regions[beyond] != kNone) continue;
+      regions[beyond] = region;
+      places.push_back(beyond);
+    }
+}
+
+/// The triangles at the places of a region, and their edges. `beyond` says what the apex is across
+/// an edge around it.
+template <class Beyond>
+void list(const TriangleMesh& mesh, const std::vector<TriangleId>& places,
+          const Buffer<Index>& regions, const Beyond& beyond, Exchange::Side& found) {
+  found.clear();
+  for (const TriangleId t : places) {
+    found.triangles.push_back(mesh.corners(t));
+    for (Index side = 0; side < 3; ++side) {
+      const HalfEdgeId h(3 * t + side), twin = mesh.twin(h);
+      if (!twin.valid()) continue;
+      const VertexId a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h);
+      if (regions[TriangleMesh::triangle(twin)] != regions[t])
+        found.around.push_back({a, b, c, beyond(h)});
+      else if (h < twin)
+        found.inside.push_back({a, b, c, mesh.apex(twin)});
+    }
+  }
+}
+
+}  // namespace
+
 MeshDifference::MeshDifference(TriangleMesh& mesh, const TriangleMesh& other)
     : mesh_(mesh),
       other_(other),
@@ -46,20 +85,13 @@ void MeshDifference::match_edges() {
 }
 
 void MeshDifference::find_regions() {
+  const auto is_common = [&](HalfEdgeId h) { return is_common_[h]; };
   for (Index t = 0; t < mesh_.triangle_count(); ++t) {
     if (region_[t] != kNone) continue;
     const auto region = static_cast<Index>(places_.size());
     std::vector<TriangleId> places{TriangleId(t)};
     region_[t] = region;
-    for (std::size_t i = 0; i < places.size(); ++i)
-      for (Index side = 0; side < 3; ++side) {
-        const HalfEdgeId h(3 * places[i] + side);
-        if (is_common_[h]) continue;
-        const TriangleId beyond = TriangleMesh::triangle(mesh_.twin(h));
-        if (region_[beyond] != kNone) continue;
-        region_[beyond] = region;
-        places.push_back(beyond);
-      }
+    spread(mesh_, is_common, region, region_, places);
     // A triangle of three edges that both have is in both.
     if (places.size() > 1)
       places_.push_back(std::move(places));
@@ -78,50 +110,19 @@ void MeshDifference::find_regions_of_other() {
     other_region_[t] = region;
     other_places_[region].push_back(t);
   }
-  for (Index region = 0; region < other_places_.size(); ++region) {
-    std::vector<TriangleId>& places = other_places_[region];
-    for (std::size_t i = 0; i < places.size(); ++i)
-      for (Index side = 0; side < 3; ++side) {
-        const HalfEdgeId h(3 * places[i] + side);
-        if (in_mesh_[h].valid()) continue;
-        const TriangleId beyond = TriangleMesh::triangle(other_.twin(h));
-        if (other_region_[beyond] != kNone) continue;
-        other_region_[beyond] = region;
-        places.push_back(beyond);
-      }
-  }
+  const auto is_common = [&](HalfEdgeId h) { return in_mesh_[h].valid(); };
+  for (Index region = 0; region < other_places_.size(); ++region)
+    spread(other_, is_common, region, other_region_, other_places_[region]);
 }
 
 void MeshDifference::look_at(std::size_t region, Exchange& exchange) const {
-  exchange.before.clear();
-  exchange.after.clear();
-  for (const TriangleId t : places_[region]) {
-    exchange.before.triangles.push_back(mesh_.corners(t));
-    for (Index side = 0; side < 3; ++side) {
-      const HalfEdgeId h(3 * t + side), twin = mesh_.twin(h);
-      if (!twin.valid()) continue;
-      const bool is_around = region_[TriangleMesh::triangle(twin)] != region;
-      if (!is_around && twin < h) continue;
-      (is_around ? exchange.before.around : exchange.before.inside)
-          .push_back({mesh_.origin(h), mesh_.target(h), mesh_.apex(h), mesh_.apex(twin)});
-    }
-  }
-  for (const TriangleId t : other_places_[region]) {
-    exchange.after.triangles.push_back(other_.corners(t));
-    for (Index side = 0; side < 3; ++side) {
-      const HalfEdgeId h(3 * t + side), twin = other_.twin(h);
-      if (!twin.valid()) continue;
-      if (other_region_[TriangleMesh::triangle(twin)] != region) {
-        // Beyond is what the mesh has there now.
-        const VertexId beyond = mesh_.apex(mesh_.twin(in_mesh_[h]));
-        exchange.after.around.push_back(
-            {other_.origin(h), other_.target(h), other_.apex(h), beyond});
-      } else if (h < twin) {
-        exchange.after.inside.push_back(
-            {other_.origin(h), other_.target(h), other_.apex(h), other_.apex(twin)});
-      }
-    }
-  }
+  list(
+      mesh_, places_[region], region_, [&](HalfEdgeId h) { return mesh_.apex(mesh_.twin(h)); },
+      exchange.before);
+  // Beyond is what the mesh has there now.
+  list(
+      other_, other_places_[region], other_region_,
+      [&](HalfEdgeId h) { return mesh_.apex(mesh_.twin(in_mesh_[h])); }, exchange.after);
 }
 
 void MeshDifference::exchange(std::size_t region, const Exchange& exchange) {

@@ -10,6 +10,7 @@
 #include "hodt/base/exact_sum.h"
 #include "hodt/geometry/heights.h"
 #include "hodt/mesh/degrees.h"
+#include "hodt/optimize/flip/remover_counts.h"
 #include "hodt/optimize/measure/edge_measures.h"
 #include "hodt/optimize/measure/measures.h"
 
@@ -17,32 +18,26 @@ namespace hodt {
 
 namespace {
 
-/// Every edge that an exchange takes away or brings has one end more or less that it removes, as a
-/// minimum and as a maximum.
+/// An exchange takes edges away and brings others, each of which removes one of its ends.
 class ExtremaStanding final : public Standing {
  public:
   ExtremaStanding(const Objective& objective, const Heights& heights, const Buffer<bool>& kept,
                   const TriangleMesh& mesh)
-      : heights_(heights), kept_(kept) {
-    for (const Extremum kind : kExtrema) {
-      if (kind == Extremum::minimum ? !counts_minima(objective) : !counts_maxima(objective))
-        continue;
-      removers_.push_back({kind, Buffer<Index>(mesh.vertex_count(), 0)});
-      for (Index i = 0; i < mesh.halfedge_count(); ++i)
-        if (const HalfEdgeId h(i); mesh.is_boundary(h) || h < mesh.twin(h))
-          ++removers_.back().count[removed_by(mesh.origin(h), mesh.target(h), kind)];
-    }
+      : kept_(kept) {
+    for (const Extremum kind : kExtrema)
+      if (kind == Extremum::minimum ? counts_minima(objective) : counts_maxima(objective))
+        removers_.emplace_back(mesh, heights, kind);
   }
   int effect(const Exchange& exchange) override {
     int extrema = 0;
     bool keeps = true;
-    for (Removers& removers : removers_) {
+    for (RemoverCounts& removers : removers_) {
       extrema += change(exchange.after.inside, removers, 1);
       extrema += change(exchange.before.inside, removers, -1);
-      if (removers.kind == Extremum::minimum)
+      if (removers.kind() == Extremum::minimum)
         for (const Exchange::Edge& e : exchange.after.inside) {
-          const VertexId v = removed_by(e.a, e.b, removers.kind);
-          keeps &= !kept_[v] || removers.count[v] == 0;
+          const VertexId v = removers.removed_by(e.a, e.b);
+          keeps &= !kept_[v] || removers.is_extremum(v);
         }
       change(exchange.before.inside, removers, 1);
       change(exchange.after.inside, removers, -1);
@@ -50,36 +45,22 @@ class ExtremaStanding final : public Standing {
     return keeps ? extrema : 1;
   }
   void take(const Exchange& exchange) override {
-    for (Removers& removers : removers_) {
+    for (RemoverCounts& removers : removers_) {
       change(exchange.after.inside, removers, 1);
       change(exchange.before.inside, removers, -1);
     }
   }
 
  private:
-  struct Removers {
-    Extremum kind;
-    Buffer<Index> count;  // of every vertex
-  };
-
-  VertexId removed_by(VertexId u, VertexId v, Extremum kind) const {
-    return heights_.removes(u, v, kind) ? v : u;
-  }
   /// Returns by how many the extrema become more.
-  int change(const std::vector<Exchange::Edge>& edges, Removers& removers, int by) const {
+  static int change(const std::vector<Exchange::Edge>& edges, RemoverCounts& removers, int by) {
     int extrema = 0;
-    for (const Exchange::Edge& e : edges) {
-      Index& count = removers.count[removed_by(e.a, e.b, removers.kind)];
-      extrema -= count == 0;
-      count += static_cast<Index>(by);
-      extrema += count == 0;
-    }
+    for (const Exchange::Edge& e : edges) extrema += removers.change(e.a, e.b, by);
     return extrema;
   }
 
-  const Heights heights_;
   const Buffer<bool>& kept_;
-  std::vector<Removers> removers_;
+  std::vector<RemoverCounts> removers_;
 };
 
 class DegreeStanding final : public Standing {
@@ -189,7 +170,7 @@ class SumStanding final : public MeasuredStanding<Values> {
     for (const double value : before) difference -= value, size += value;
     difference *= this->values_.sign();
     // What rounding can have made of equal sums is no gain, and yet a loss must be none.
-    if (std::fabs(difference) > kRounding * size) return difference < 0 ? -1 : 1;
+    if (std::fabs(difference) > kRoundingOfSums * size) return difference < 0 ? -1 : 1;
     std::sort(before.begin(), before.end());
     std::sort(after.begin(), after.end());
     if (before == after) return 0;
@@ -198,9 +179,6 @@ class SumStanding final : public MeasuredStanding<Values> {
     for (const double value : before) exact.subtract(value);
     return this->values_.sign() * exact.nearest() > 0 ? 1 : 0;
   }
-
- private:
-  static constexpr double kRounding = 1e-13;
 };
 
 template <class Values>
@@ -226,15 +204,7 @@ class ExtremeStanding final : public MeasuredStanding<Values> {
   }
   bool is_better(const Exchange& exchange) override {
     this->measure_both(exchange);
-    const bool is_largest = this->values_.objective().aggregate == Aggregate::max;
-    for (std::vector<double>* values : {&this->before_, &this->after_}) {
-      std::sort(values->begin(), values->end());
-      if (is_largest) std::reverse(values->begin(), values->end());
-    }
-    for (std::size_t i = 0; i < this->after_.size(); ++i)
-      if (this->after_[i] != this->before_[i])
-        return this->values_.better(this->after_[i], this->before_[i]);
-    return false;
+    return is_better_sorted(this->values_, this->before_, this->after_);
   }
   void take(const Exchange& exchange) override {
     if (this->values_.worst_counts()) return;
