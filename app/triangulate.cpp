@@ -33,7 +33,7 @@ namespace {
 struct Arguments {
   PointsInput input;
   std::string output;
-  std::string order = "4";
+  std::string order;
   std::string objective = "min-local-minima";
   std::string method = "auto";
   std::string time_limit;
@@ -316,14 +316,17 @@ void add_triangulate(CLI::App& app, Action& action) {
           "a raster: .tif")
       ->required()
       ->type_name("OUTPUT");
-  command
-      .add_option("-k,--order", arguments->order,
-                  "Points allowed inside a circumcircle; 0 is Delaunay (default: 4)")
-      ->type_name("K");
+  const CLI::Option* const order =
+      command
+          .add_option(
+              "-k,--order", arguments->order,
+              "Points allowed inside a circumcircle; 0 is Delaunay (default: 4, for terrain 8)")
+          ->type_name("K");
   command
       .add_option("--objective", arguments->objective,
                   "What to optimise (default: min-local-minima); of a list A,B or A,B,C then B\n"
-                  "among the triangulations that are as good for A, and so on")
+                  "among the triangulations that are as good for A, and so on; terrain is\n"
+                  "min-local-minima,min-sum-abn, which drains and is near to the land")
       ->type_name("OBJ");
   command
       .add_option("--method", arguments->method,
@@ -351,13 +354,16 @@ void add_triangulate(CLI::App& app, Action& action) {
       "  hodt triangulate tile1.tif tile2.tif --stride 2 -o tiles.ply\n"
       "  hodt triangulate survey.gpkg --layer spots --z-field height -o survey.ply\n"
       "  hodt triangulate mesh.ply -o better.ply --objective min-max-angle\n"
-      "  hodt triangulate survey.csv -o smooth.ply --objective min-local-minima,min-sum-abn\n"
+      "  hodt triangulate survey.csv -o smooth.ply --objective terrain\n"
       "  hodt triangulate survey.csv --breaklines roads.geojson --outline area.geojson -o "
       "site.ply\n"
       "  hodt triangulate tile.laz -o dem.tif --resolution 1 --hillshade shade.tif\n"
       "  hodt triangulate terrain.xyz.gz -o terrain.obj -k 8 --json report.json\n"
       "  hodt sample valley | hodt triangulate - -o valley.ply -k 2");
-  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+  command.callback([arguments, order, &action] {
+    if (order->empty()) arguments->order = fmt::to_string(usual_order(arguments->objective));
+    action = [arguments] { return run(*arguments); };
+  });
 }
 
 }  // namespace hodt::app

@@ -55,6 +55,7 @@ Words terrains() {
 Words choices_of(std::string_view command, std::string_view option) {
   if (option == "--objective") {
     Words words = objectives();
+    words.emplace_back("terrain");
     if (command == "compare") words.emplace_back("all");
     return words;
   }

@@ -148,7 +148,7 @@ class Voronoi:
 def delaunay(points: ArrayLike, *, threads: int | None = None) -> _Integers: ...
 def triangulate(
     points: ArrayLike | Tin,
-    k: float = 4,
+    k: float | None = None,
     objective: str | Measure = "min-local-minima",
     *,
     constraints: Constraints | None = None,

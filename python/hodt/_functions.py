@@ -34,19 +34,21 @@ def delaunay(points, *, threads=None):
     return _hodt.delaunay(as_points(points), as_threads(threads))
 
 
-def triangulate(points, k=4, objective="min-local-minima", *, constraints=None, method="auto",
+def triangulate(points, k=None, objective="min-local-minima", *, constraints=None, method="auto",
                 time_limit=0, min_pit_depth=0, keep=None, threads=None, progress=None):
     """A triangulation of order k, as good for the objective as hodt can, and a proven bound.
 
     points: (n, 3), or (n, 2) for objectives that need no heights; or a hodt.Tin to improve, whose
         vertices, outline and holes stay.
-    k: no circumcircle holds more points than this; math.inf is without limit.
+    k: no circumcircle holds more points than this; math.inf is without limit. By default 4, for
+        "terrain" 8.
     objective: "min-local-minima", "min-local-maxima", "min-local-extrema", "min-max-degree", "none",
         or "<min|max>-<sum|max|min>-MEASURE" with MEASURE one of area, angle, small-angle,
         circumradius, enclosing-radius, inradius, length, flat-area, abn, jnd, wabn (angles in
         degrees, the others in units of the points); or a hodt.Measure. Of names with commas between,
         two or three, each counts among the triangulations that are as good for those before it;
-        result.then has the values of those after the first.
+        result.then has the values of those after the first. "terrain" stands for
+        "min-local-minima,min-sum-abn", a surface that drains and is near to the land.
     constraints: hodt.Constraints, for points.
     method: "auto", "greedy" (for extrema), "flip" or "exact".
     time_limit: seconds that searching may take; 0 is a fixed amount of work.
@@ -58,9 +60,12 @@ def triangulate(points, k=4, objective="min-local-minima", *, constraints=None, 
     Returns a hodt.Result. Raises InputError for points or constraints that cannot be used and
     ParameterError for arguments that cannot.
     """
+    objective = as_objective(objective)
+    if k is None:
+        k = _hodt.usual_order(objective) if isinstance(objective, str) else 4
     wishes = {
         "k": as_order(k),
-        "objective": as_objective(objective),
+        "objective": objective,
         "method": method,
         "time_limit": as_amount(time_limit, "time_limit"),
         "min_pit_depth": as_amount(min_pit_depth, "min_pit_depth"),

@@ -100,6 +100,9 @@ void add_triangulate(nb::module_& module) {
              nb::arg("constraints"));
   module.def("triangulate_tin", triangulate_tin, nb::arg("xy"), nb::arg("z").none(),
              nb::arg("triangles"), nb::arg("wishes"));
+  module.def(
+      "usual_order", [](const std::string& names) { return usual_order(names); },
+      nb::arg("objective"));
 }
 
 }  // namespace hodt::python

@@ -214,6 +214,16 @@ def test_objectives_in_order():
     assert "min-sum-abn" in repr(both)
 
 
+def test_terrain_stands_for_a_list_and_its_order():
+    points = terrain(3, n=60)
+    usual = hodt.triangulate(points, objective="terrain")
+    assert usual.k == 8
+    listed = hodt.triangulate(points, 8, "min-local-minima,min-sum-abn")
+    assert np.array_equal(usual.tin.triangles, listed.tin.triangles) and usual.then == listed.then
+    assert hodt.triangulate(points, 2, "terrain").k == 2
+    assert hodt.triangulate(points).k == 4
+
+
 def area(a, b, c):
     return np.abs((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])) / 2
 

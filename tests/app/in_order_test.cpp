@@ -41,6 +41,18 @@ TEST_F(InOrderCommand, tells_each_value) {
   EXPECT_EQ(run("check mesh.ply -k 4 --strict").exit_code, 0);
 }
 
+TEST_F(InOrderCommand, terrain_stands_for_a_list_and_its_order) {
+  sample();
+  const auto mesh = [&](const std::string& options) {
+    EXPECT_EQ(run("triangulate points.csv -o mesh.ply " + options).exit_code, 0);
+    return content_of(directory_ / "mesh.ply");
+  };
+  EXPECT_EQ(mesh("--objective terrain"), mesh("-k 8 --objective min-local-minima,min-sum-abn"));
+  EXPECT_EQ(mesh("--objective terrain -k 2"),
+            mesh("--objective min-local-minima,min-sum-abn -k 2"));
+  EXPECT_EQ(mesh(""), mesh("-k 4"));
+}
+
 TEST_F(InOrderCommand, is_solved_at_order_1) {
   sample();
   ASSERT_EQ(run("triangulate points.csv -o mesh.ply -k 1 --json report.json --objective "

@@ -351,11 +351,20 @@ TEST(InOrder, with_constraints_and_given_meshes) {
   }
 }
 
+TEST(InOrder, terrain_stands_for_a_list) {
+  EXPECT_EQ(objectives_from_names("terrain"),
+            objectives_from_names("min-local-minima,min-sum-abn"));
+  EXPECT_EQ(usual_order("terrain"), 8u);
+  EXPECT_EQ(usual_order("min-local-minima,min-sum-abn"), 4u);
+  EXPECT_EQ(usual_order("min-local-minima"), 4u);
+}
+
 TEST(InOrder, what_cannot_be_asked_for) {
   const PointSet points = rough_terrain(50, 1);
-  for (const char* list : {"min-local-minima,min-local-minima", "none,min-sum-abn",
-                           "min-sum-abn,none", "min-sum-abn,beauty", "min-sum-abn,", ",min-sum-abn",
-                           "min-sum-abn,min-sum-jnd,min-sum-wabn,min-local-minima"})
+  for (const char* list :
+       {"min-local-minima,min-local-minima", "none,min-sum-abn", "min-sum-abn,none",
+        "min-sum-abn,beauty", "terrain,min-sum-length", "min-sum-length,terrain", "min-sum-abn,",
+        ",min-sum-abn", "min-sum-abn,min-sum-jnd,min-sum-wabn,min-local-minima"})
     EXPECT_THROW(objectives_from_names(list), ParameterError) << list;
   TriangulateOptions options = options_of("min-sum-abn,min-local-minima", 2);
   options.then.push_back(options.objective);

@@ -57,6 +57,8 @@ constexpr std::array<Named<Method>, 4> kMethods = {{
     {"exact", Method::exact},
 }};
 
+constexpr std::string_view kTerrain = "terrain", kForTerrain = "min-local-minima,min-sum-abn";
+
 template <class Known>
 std::string names_of(const Known& known) {
   std::string names;
@@ -106,13 +108,18 @@ std::string name_of(const Measure& measure) {
 Objective objective_from_name(std::string_view name) {
   if (const auto kind = find_name(kKinds, name)) return *kind;
   if (const auto measured = measured_from_name(name)) return *measured;
-  throw ParameterError(fmt::format(
-      "unknown objective '{}'; there are {}, and <min|max>-<sum|max|min>-MEASURE, where MEASURE is "
-      "one of {}",
-      name, names_of(kKinds), measure_names()));
+  if (name == kTerrain)
+    throw ParameterError(
+        fmt::format("{} stands for {}, and can be no part of a list", kTerrain, kForTerrain));
+  throw ParameterError(
+      fmt::format("unknown objective '{}'; there are {}, {}, and <min|max>-<sum|max|min>-MEASURE, "
+                  "where MEASURE is "
+                  "one of {}",
+                  name, names_of(kKinds), kTerrain, measure_names()));
 }
 
 std::vector<Objective> objectives_from_names(std::string_view names) {
+  if (names == kTerrain) names = kForTerrain;
   std::vector<Objective> objectives;
   for (;;) {
     const std::size_t comma = names.find(',');
@@ -122,6 +129,10 @@ std::vector<Objective> objectives_from_names(std::string_view names) {
   }
   check_objectives(objectives);
   return objectives;
+}
+
+Index usual_order(std::string_view names) {
+  return names == kTerrain ? 8 : 4;
 }
 
 void check_objectives(std::span<const Objective> objectives) {

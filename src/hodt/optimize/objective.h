@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "hodt/base/ids.h"
 #include "hodt/optimize/own_measures.h"
 
 namespace hodt {
@@ -108,9 +109,12 @@ enum class Method {
 /// The objective or method of that name on the command line ("min-local-minima",
 /// "min-max-angle", "auto"). Throws ParameterError, naming the ones there are, for any other name.
 Objective objective_from_name(std::string_view name);
-/// The objectives of a list on the command line, commas between: the first counts most. Throws
-/// ParameterError also for what check_objectives() refuses.
+/// The objectives of a list on the command line, commas between: the first counts most. `terrain`
+/// stands for the list that came nearest to the land in docs/drainage.md. Throws ParameterError
+/// also for what check_objectives() refuses.
 std::vector<Objective> objectives_from_names(std::string_view names);
+/// The order to take for that list where nobody asks for one.
+Index usual_order(std::string_view names);
 Method method_from_name(std::string_view name);
 std::string name_of(Objective objective);
 /// The names of all measures, separated by commas.
