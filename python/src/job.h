@@ -24,7 +24,7 @@ struct JobOptions {
   bool is_short = false;             ///< done before anybody could wish to end it
 };
 
-/// Runs `work`, which is handed a Progress to tell of, on a thread of its own, while this one waits
+/// Runs `work`, which is handed a Progress to tell of, on another thread, while this one waits
 /// and lets Python handle signals. An exception of a signal's handler (KeyboardInterrupt), or of
 /// the progress function, stops the work and is thrown once it has stopped.
 void run_job(const JobOptions& options, const std::function<void(const Progress&)>& work);

@@ -12,6 +12,7 @@
 #include <nanobind/stl/string.h>
 
 #include "hodt/base/error.h"
+#include "hodt/base/stop.h"
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/order/triangles.h"
@@ -33,6 +34,7 @@ struct HashOfPoint {
 /// Takes Python's lock.
 std::vector<double> ask(const nb::handle function, const std::string& name, std::size_t places,
                         std::span<const Corner> corners) {
+  check_stop();  // Python may be at its end
   const nb::gil_scoped_acquire lock;
   const std::size_t count = corners.size() / places;
   nb::list arguments;

@@ -4,6 +4,7 @@
 NB_MODULE(_hodt, module) {
   module.attr("__version__") = HODT_VERSION;
   hodt::python::add_errors(module);
+  hodt::python::add_jobs(module);
   hodt::python::add_delaunay(module);
   hodt::python::add_triangulate(module);
   hodt::python::add_lists(module);

@@ -6,6 +6,7 @@
 namespace hodt::python {
 
 void add_errors(nanobind::module_& module);
+void add_jobs(nanobind::module_& module);
 void add_delaunay(nanobind::module_& module);
 void add_triangulate(nanobind::module_& module);
 void add_lists(nanobind::module_& module);
