@@ -68,4 +68,8 @@ Words choices_of(std::string_view command, std::string_view option) {
   return {};
 }
 
+bool takes_several(std::string_view option) {
+  return option == "--objective";
+}
+
 }  // namespace hodt::manual

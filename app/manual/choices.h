@@ -12,4 +12,7 @@ namespace hodt::manual {
 /// else.
 std::vector<std::string> choices_of(std::string_view command, std::string_view option);
 
+/// Whether the value can be several of the words, with commas between.
+bool takes_several(std::string_view option);
+
 }  // namespace hodt::manual

@@ -36,6 +36,7 @@ OptionText option_text(const std::string& command, const CLI::Option& option) {
                                        : "";
   text.value = value_of(text.value_name);
   text.choices = choices_of(command, text.names.empty() ? text.value_name : text.names.back());
+  text.takes_several = !text.names.empty() && takes_several(text.names.back());
   text.is_required = option.get_required();
   text.is_list = text.names.empty() && option.get_expected_max() > 1;
   text.description = option.get_description();

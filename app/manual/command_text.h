@@ -22,7 +22,8 @@ struct OptionText {
   std::string value_name;          ///< "OUTPUT"; empty of a flag
   Value value = Value::none;
   std::vector<std::string>
-      choices;  ///< all words that the value can be; empty if it is no such word
+      choices;                 ///< all words that the value can be; empty if it is no such word
+  bool takes_several = false;  ///< of the choices, with commas between
   bool is_required = false;
   bool is_list = false;
   std::string description;  ///< may have several lines

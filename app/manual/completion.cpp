@@ -36,7 +36,9 @@ std::vector<std::string> names_of(const std::vector<CommandText>& commands) {
 
 /// What the function does where a value of the option, or the argument, stands.
 std::string bash_action(const OptionText& option) {
-  if (!option.choices.empty()) return fmt::format("words='{}'", joined(option.choices));
+  if (!option.choices.empty())
+    return fmt::format("words='{}'{}", joined(option.choices),
+                       option.takes_several ? " before=${current%\"${current##*,}\"}" : "");
   return option.value == Value::file ? "files=1" : ":";
 }
 
@@ -67,7 +69,8 @@ std::string zsh_text(const std::string& text) {
 
 std::string zsh_value(const OptionText& option) {
   if (option.value == Value::none) return {};
-  const std::string action = !option.choices.empty()       ? "(" + joined(option.choices) + ")"
+  const std::string action = option.takes_several ? "_sequence compadd - " + joined(option.choices)
+                             : !option.choices.empty()     ? "(" + joined(option.choices) + ")"
                              : option.value == Value::file ? "_files"
                                                            : " ";
   return ":" + option.value_name + ":" + action;
@@ -98,7 +101,9 @@ std::string fish_text(const std::string& text) {
 }
 
 std::string fish_value(const OptionText& option) {
-  if (!option.choices.empty()) return fmt::format(" -x -a '{}'", joined(option.choices));
+  const std::string words = joined(option.choices);
+  if (option.takes_several) return fmt::format(" -x -a '(__fish_append , {})'", words);
+  if (!words.empty()) return fmt::format(" -x -a '{}'", words);
   if (option.value == Value::none) return {};
   return option.value == Value::file ? " -r -F" : " -x";
 }
@@ -125,7 +130,7 @@ std::string bash_completion(const ProgramText& program) {
       R"(# Completion of hodt in bash, made from its options.
 _hodt() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
-  local words= options= files=
+  local words= options= files= before= # what of the word stays
   # Readline takes --option=value for three words.
   if [[ $current == = ]]; then
     current=
@@ -140,12 +145,12 @@ _hodt() {{
 {}    esac
   fi
   if [[ $current == -* ]]; then
-    words=$options files=
+    words=$options files= before=
   fi
   if [[ $files ]]; then
     compopt -o default # the names of files
   else
-    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+    mapfile -t COMPREPLY < <(compgen -P "$before" -W "$words" -- "${{current#"$before"}}")
   fi
 }}
 complete -F _hodt hodt

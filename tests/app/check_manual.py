@@ -339,14 +339,16 @@ class Zsh:
         os.waitpid(self.pid, 0)
 
 
-def check_shell(name, complete, accepted, offers):
-    """`offers(found, wanted)`: whether what a shell shows is what was wanted."""
+def check_shell(name, complete, accepted, whole_words):
+    """`whole_words`: what the shell shows after a comma has what stands before, too, and may repeat it."""
 
     def check(words, wanted):
         found = complete("hodt", *words)
-        expect(
-            offers(found, wanted), f"{name}, {words}:\n  found  {sorted(found)}\n  wanted {sorted(wanted)}"
-        )
+        expect(found == wanted, f"{name}, {words}:\n  found  {sorted(found)}\n  wanted {sorted(wanted)}")
+
+    def after(words, others):
+        first = ",".join(words) + ","
+        return {first + word for word in others} if whole_words else others - set(words)
 
     check([""], set(commands))
     check(["tri"], {"triangulate", "triangles"})
@@ -369,6 +371,13 @@ def check_shell(name, complete, accepted, offers):
                 )
         if help_.arguments():
             check([command, ""], accepted.get((command, ""), {"files"}))
+    for command in ("triangulate", "compare"):  # several, with commas between
+        objectives = accepted[command, "--objective"]
+        for first in (["min-local-minima"], ["min-sum-abn", "none"]):
+            start = ",".join(first) + ","
+            check([command, "--objective", start], after(first, objectives))
+            check([command, "--objective", start + "max-sum-sm"], after(first, {"max-sum-small-angle"}))
+        check([command, "--objective", "nonsense,nonsense"], set())
     for spelled in ("-o", "--output"):
         check(["triangulate", "points.csv", spelled, ""], {"files"})
     check(["triangulate", "points.csv", "--json", ""], {"files"})
@@ -377,19 +386,23 @@ def check_shell(name, complete, accepted, offers):
 
 def check_completion():
     accepted = words_accepted()
-    same = lambda found, wanted: found == wanted
-    check_shell("bash", Bash().complete, accepted, same)
+    check_shell("bash", Bash().complete, accepted, True)
     expect_equal(Bash().complete("hodt", "edges", "--class", "=", "ko"), {"kod"}, "bash, --class=ko")
+    expect_equal(
+        Bash().complete("hodt", "triangulate", "--objective", "=", "none,min-sum-ab"),
+        {"none,min-sum-abn"},
+        "bash, --objective=none,min-sum-ab",
+    )
     expect_equal(
         Bash().complete("hodt", "edges", "--class", "="), accepted["edges", "--class"], "bash, --class="
     )
     if shutil.which("fish"):
         with tempfile.TemporaryDirectory() as folder:
-            check_shell("fish", Fish(pathlib.Path(folder)).complete, accepted, same)
+            check_shell("fish", Fish(pathlib.Path(folder)).complete, accepted, True)
     if shutil.which("zsh"):
         with tempfile.TemporaryDirectory() as folder:
             zsh = Zsh(pathlib.Path(folder))
-            check_shell("zsh", zsh.complete, accepted, same)
+            check_shell("zsh", zsh.complete, accepted, False)
             zsh.close()
 
 
