@@ -17,9 +17,10 @@ if ! cmp -s docs/site/requirements.txt $venv/made_of; then
 fi
 
 rm -rf $site
-mkdir -p $site/source/extra
+mkdir -p $site/source/extra $site/source/static
 PYTHONDONTWRITEBYTECODE=1 $venv/bin/python docs/site/stage.py "$reference" $site/source
 cp docs/site/conf.py $site/source
+cp docs/site/site.css $site/source/static
 (cat docs/site/doxygen.conf && echo "OUTPUT_DIRECTORY = $site/source/extra") | doxygen -
 $venv/bin/sphinx-build -q -W --keep-going -j auto -b html $site/source $site/html
 $venv/bin/python docs/site/check_links.py $site/html

@@ -20,7 +20,7 @@ COMMAND, SITE = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 
 # What the pages in the sidebar are, in order; a page of docs/ that is not here comes last in its part.
 GUIDES = ["tutorial", "how-to", "which-objective", "python", "points", "lines", "formats", "crs"]
-BACKGROUND = ["definitions", "experiments", "benchmarks"]
+BACKGROUND = ["definitions", "drainage", "experiments", "benchmarks"]
 REFERENCE = ["command", "python-reference", "cpp"]
 PROJECT = ["ARCHITECTURE", "CONTRIBUTING", "CHANGELOG"]
 
@@ -42,12 +42,20 @@ def link(page, text, target):
     if not (ROOT / wanted).exists():
         sys.exit(f"{page} links to {target}, which is not there")
     if wanted in PAGES:
+        if text == path or text == os.path.basename(path):  # a name of a file tells less than a title
+            text = title(wanted)
         here = os.path.dirname(PAGES[page])
         return f"[{text}]({os.path.relpath(PAGES[wanted], here or '.')}{'#' + anchor if anchor else ''})"
     if wanted.startswith("docs/"):  # a picture
         here = os.path.dirname(PAGES[page])
         return f"[{text}]({os.path.relpath(wanted[len('docs/'):], here or '.')})"
     return f"`{wanted}`"
+
+
+def title(page):
+    """Of a page of the repository, or of one that is made for a folder."""
+    path = ROOT / page
+    return path.read_text().split("\n")[0].lstrip("# ") if path.is_file() else path.name
 
 
 def page_text(page):
