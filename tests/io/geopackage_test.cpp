@@ -9,6 +9,7 @@
 #include "temporary_directory.h"
 #include <gtest/gtest.h>
 
+#include "hodt/io/feature_file.h"
 #include "hodt/io/tin_file.h"
 
 namespace hodt {
@@ -96,6 +97,32 @@ TEST(GeoPackage, IsAsTheStandardWants) {
                 "")
           << name << ' ' << points;
     }
+}
+
+/// A million are made and written in many batches.
+TEST(GeoPackage, HasManyFeaturesInTheirOrder) {
+  if (std::system("python3 -c 'import sqlite3' 2>/dev/null") != 0)
+    GTEST_SKIP() << "needs Python's sqlite3";
+  const TemporaryDirectory directory;
+  FeatureLayer layer;
+  layer.count = 70000;
+  layer.has_heights = false;
+  layer.fields = {{"number", FieldType::integer}};
+  layer.make = [](std::size_t i, LayerFeature& feature) {
+    feature.xy.assign({{double(i), double(i % 300)}});
+    feature.values[0] = std::int64_t(i);
+  };
+  write_features(layer, directory / "many.gpkg");
+  const auto script = directory.file("look.py", R"look(
+import sqlite3, struct, sys
+rows = sqlite3.connect(sys.argv[1]).execute("SELECT fid, number, geom FROM many ORDER BY fid").fetchall()
+assert len(rows) == 70000
+for i, (fid, number, geom) in enumerate(rows):
+    assert (fid, number) == (i + 1, i) and struct.unpack("<2d", geom[-16:]) == (i, i % 300), i
+)look");
+  EXPECT_EQ(test::printed_by("python3 '" + script.string() + "' '" +
+                             (directory / "many.gpkg").string() + "' 2>&1 || echo x"),
+            "");
 }
 
 }  // namespace

@@ -193,14 +193,10 @@ class Rows {
     for (const FieldValue& value : feature.values) append_value(bytes, value);
   }
 
-  /// Writes what `append` made.
-  void insert(std::string_view bytes, Statement& statement) const {
-    while (!bytes.empty()) {
-      statement.bind_blob(1, take_bytes(bytes));
-      for (int place = 2; place < 2 + static_cast<int>(layer_.fields.size()); ++place)
-        bind_value(statement, place, bytes);
-      statement.run();
-    }
+  /// Takes the first row off what `append` made.
+  static void take_row(std::string_view& bytes, std::span<SqlValue> row) {
+    row[0] = SqlBlob{take_bytes(bytes)};
+    for (SqlValue& value : row.subspan(1)) value = take_value(bytes);
   }
 
  private:
@@ -235,17 +231,18 @@ class Rows {
     bytes.remove_prefix(size);
     return taken;
   }
-  static void bind_value(Statement& statement, int place, std::string_view& bytes) {
+  static SqlValue take_value(std::string_view& bytes) {
     switch (take<Kind>(bytes)) {
       case kInteger:
-        return statement.bind(place, take<std::int64_t>(bytes));
+        return take<std::int64_t>(bytes);
       case kReal:
-        return statement.bind(place, take<double>(bytes));
+        return take<double>(bytes);
       case kText:
-        return statement.bind_text(place, take_bytes(bytes));
+        return take_bytes(bytes);
       case kNothing:
-        return statement.bind_null(place);
+        break;
     }
+    return {};
   }
 
   const FeatureLayer& layer_;
@@ -265,48 +262,52 @@ void create_table(Database& database, const FeatureLayer& layer, const std::stri
 
 void insert_features(Database& database, const FeatureLayer& layer, const std::string& table,
                      const GeometryBytes& geometry, Buffer<Box>& boxes) {
-  std::string columns = kGeometryColumn, places = "?";
-  for (const Field& field : layer.fields) {
-    columns += ", " + sql_name(field.name);
-    places += ", ?";
-  }
-  Statement statement(
-      database, fmt::format("INSERT INTO {} ({}) VALUES ({})", sql_name(table), columns, places));
+  std::string columns = kGeometryColumn;
+  for (const Field& field : layer.fields) columns += ", " + sql_name(field.name);
+  const std::string insertion = fmt::format("INSERT INTO {} ({})", sql_name(table), columns);
   const Rows rows(layer, geometry, boxes);
   const auto append = [&](std::size_t i, LayerFeature& feature, std::string& bytes) {
     rows.append(i, feature, bytes);
     return true;
   };
-  make_feature_texts<LayerFeature>(layer.count, append,
-                                   [&](std::string_view bytes) { rows.insert(bytes, statement); });
+  make_feature_texts<LayerFeature>(layer.count, append, [&](std::string_view bytes) {
+    database.insert(insertion, 1 + layer.fields.size(), [&](std::span<SqlValue> row) {
+      if (bytes.empty()) return false;
+      Rows::take_row(bytes, row);
+      return true;
+    });
+  });
 }
 
 void fill_index(Database& database, const std::string& index, std::span<const Box> boxes) {
   const auto part = [&](const char* name) { return sql_name(fmt::format("{}_{}", index, name)); };
   database.run(fmt::format("CREATE VIRTUAL TABLE {} USING rtree(id, minx, maxx, miny, maxy)",
                            sql_name(index)));
-  const std::int64_t node_size =
-      database.number(fmt::format("SELECT length(data) FROM {}", part("node")));
-  const auto insertion = [&](const char* name) {
-    return fmt::format("INSERT OR REPLACE INTO {} VALUES (?, ?)", part(name));
+  const auto node_size = static_cast<std::size_t>(
+      database.number(fmt::format("SELECT length(data) FROM {}", part("node"))));
+  const auto insert = [&](const char* name, std::int64_t first, std::size_t count,
+                          const auto& value) {
+    std::size_t i = 0;
+    database.insert(fmt::format("INSERT OR REPLACE INTO {}", part(name)), 2,
+                    [&](std::span<SqlValue> row) {
+                      if (i == count) return false;
+                      row[0] = first + static_cast<std::int64_t>(i);
+                      row[1] = value(i++);
+                      return true;
+                    });
   };
-  Statement node(database, insertion("node")), entry(database, insertion("rowid")),
-      parent(database, insertion("parent"));
-  const auto link = [](Statement& statement) {
-    return [&statement](std::int64_t from, std::int64_t to) {
-      statement.bind(1, from);
-      statement.bind(2, to);
-      statement.run();
+  const auto insert_nodes = [&](std::int64_t first, std::string_view bytes) {
+    insert("node", first, bytes.size() / node_size,
+           [&](std::size_t i) { return SqlBlob{bytes.substr(i * node_size, node_size)}; });
+  };
+  const auto insert_links = [&](const char* name) {
+    return [&insert, name](std::int64_t first, std::span<const std::int64_t> nodes) {
+      insert(name, first, nodes.size(), [&](std::size_t i) { return nodes[i]; });
     };
-  };
-  const auto put_node = [&](std::int64_t number, std::string_view bytes) {
-    node.bind(1, number);
-    node.bind_blob(2, bytes);
-    node.run();
   };
   Buffer<SmallBox> small(boxes.size());
   std::transform(boxes.begin(), boxes.end(), small.begin(), small_box);
-  pack_rtree(small, static_cast<std::size_t>(node_size), {put_node, link(entry), link(parent)});
+  pack_rtree(small, node_size, {insert_nodes, insert_links("rowid"), insert_links("parent")});
 }
 
 void create_triggers(Database& database, const std::string& table, const std::string& index) {

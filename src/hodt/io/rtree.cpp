@@ -21,9 +21,10 @@ constexpr std::size_t kHeadSize = 4;
 constexpr std::size_t kCellSize = 24;
 
 template <class Unsigned>
-void append_big_endian(std::string& bytes, Unsigned value) {
+char* put_big_endian(char* to, Unsigned value) {
   for (int shift = 8 * (sizeof value - 1); shift >= 0; shift -= 8)
-    bytes += static_cast<char>(value >> shift);
+    *to++ = static_cast<char>(value >> shift);
+  return to;
 }
 
 float below(double value) {
@@ -79,10 +80,11 @@ class Tiles {
   Buffer<Index> order_;
 };
 
-void append_cell(std::string& bytes, std::int64_t entry, const SmallBox& box) {
-  append_big_endian(bytes, static_cast<std::uint64_t>(entry));
+char* put_cell(char* to, std::int64_t entry, const SmallBox& box) {
+  to = put_big_endian(to, static_cast<std::uint64_t>(entry));
   for (const float side : {box.min_x, box.max_x, box.min_y, box.max_y})
-    append_big_endian(bytes, std::bit_cast<std::uint32_t>(side));
+    to = put_big_endian(to, std::bit_cast<std::uint32_t>(side));
+  return to;
 }
 
 }  // namespace
@@ -99,28 +101,28 @@ void pack_rtree(std::span<const SmallBox> boxes, std::size_t node_size, const Rt
   for (std::uint16_t depth = 0;; ++depth) {
     const Tiles tiles(below_boxes, capacity);
     const bool is_root = tiles.nodes() == 1;
-    std::vector<SmallBox> node_boxes;
-    Buffer<std::int64_t> node_of(below_boxes.size());
-    std::string bytes;
     const std::int64_t first = is_root ? 1 : next;
-    for (std::size_t n = 0; n < tiles.nodes(); ++n) {
-      const std::span<const Index> members = tiles.of_node(n);
-      bytes.clear();
-      append_big_endian(bytes, is_root ? depth : std::uint16_t{0});
-      append_big_endian(bytes, static_cast<std::uint16_t>(members.size()));
-      SmallBox box = below_boxes[members[0]];
-      for (const Index i : members) {
-        append_cell(bytes, first_below + i, below_boxes[i]);
-        node_of[i] = first + std::int64_t(n);
-        box = joined(box, below_boxes[i]);
+    std::vector<SmallBox> node_boxes(tiles.nodes());
+    Buffer<std::int64_t> node_of(below_boxes.size());
+    Buffer<char> bytes(tiles.nodes() * node_size);
+    parallel_for(0, tiles.nodes(), 64, [&](std::size_t from, std::size_t to) {
+      for (std::size_t n = from; n < to; ++n) {
+        const std::span<const Index> members = tiles.of_node(n);
+        char* const start = bytes.data() + n * node_size;
+        char* end = put_big_endian(start, is_root ? depth : std::uint16_t{0});
+        end = put_big_endian(end, static_cast<std::uint16_t>(members.size()));
+        SmallBox box = below_boxes[members[0]];
+        for (const Index i : members) {
+          end = put_cell(end, first_below + i, below_boxes[i]);
+          node_of[i] = first + std::int64_t(n);
+          box = joined(box, below_boxes[i]);
+        }
+        std::fill(end, start + node_size, '\0');
+        node_boxes[n] = box;
       }
-      bytes.resize(node_size, '\0');
-      taker.node(first + std::int64_t(n), bytes);
-      node_boxes.push_back(box);
-    }
-    const auto& link = depth == 0 ? taker.entry : taker.parent;
-    for (std::size_t i = 0; i < below_boxes.size(); ++i)
-      link(first_below + std::int64_t(i), node_of[i]);
+    });
+    taker.nodes(first, {bytes.data(), bytes.size()});
+    (depth == 0 ? taker.entries : taker.parents)(first_below, node_of);
     if (is_root) return;
     next += std::int64_t(tiles.nodes());
     first_below = first;

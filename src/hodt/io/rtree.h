@@ -19,13 +19,14 @@ struct SmallBox {
 
 SmallBox small_box(const Box& box);
 
-/// Where the nodes and their links go.
+/// Where the nodes and their links go, one level of the tree after another.
 struct RtreeTaker {
-  /// Node 1 is the root.
-  std::function<void(std::int64_t number, std::string_view bytes)> node;
-  /// In which node an entry, or a node but the root, is.
-  std::function<void(std::int64_t entry, std::int64_t node)> entry;
-  std::function<void(std::int64_t child, std::int64_t node)> parent;
+  /// Nodes first, first + 1 and so on, one behind the other. Node 1 is the root.
+  std::function<void(std::int64_t first, std::string_view bytes)> nodes;
+  /// In which nodes entries first, first + 1 and so on are, or nodes but the root.
+  using Links = std::function<void(std::int64_t first, std::span<const std::int64_t> nodes)>;
+  Links entries;
+  Links parents;
 };
 
 /// Packs boxes; entry i + 1 is boxes[i]. Every node has node_size bytes.

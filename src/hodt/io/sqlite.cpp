@@ -2,7 +2,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
@@ -21,6 +23,105 @@ std::string quoted(std::string_view text, char quote) {
   }
   return result + quote;
 }
+
+/// No table can be called like this: names that begin so belong to SQLite.
+constexpr const char* kRowTable = "sqlite_hodt_rows";
+
+/// Rows that somebody makes, in SQLite's eyes a table to select from, once and from first to last
+/// (a virtual table that is there without having been created).
+class RowTable {
+ public:
+  static const sqlite3_module kModule;
+
+  RowTable(std::size_t columns, const NextRow& next) : next_(next), row_(columns) {}
+
+  /// Throws what could not be thrown through SQLite.
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  struct Table : sqlite3_vtab {
+    RowTable* rows;
+  };
+  struct Cursor : sqlite3_vtab_cursor {};
+
+  static RowTable& rows_of(sqlite3_vtab_cursor* cursor) {
+    return *static_cast<Table*>(cursor->pVtab)->rows;
+  }
+
+  static int connect(sqlite3* database, void* rows, int, const char* const*, sqlite3_vtab** made,
+                     char**) {
+    std::string columns = "column0";
+    for (std::size_t i = 1; i < static_cast<RowTable*>(rows)->row_.size(); ++i)
+      columns += fmt::format(", column{}", i);
+    *made = new Table{{}, static_cast<RowTable*>(rows)};
+    return sqlite3_declare_vtab(database, fmt::format("CREATE TABLE rows ({})", columns).c_str());
+  }
+  static int disconnect(sqlite3_vtab* table) {
+    delete static_cast<Table*>(table);
+    return SQLITE_OK;
+  }
+  static int plan(sqlite3_vtab*, sqlite3_index_info*) { return SQLITE_OK; }
+  static int open(sqlite3_vtab*, sqlite3_vtab_cursor** cursor) {
+    *cursor = new Cursor{};
+    return SQLITE_OK;
+  }
+  static int close(sqlite3_vtab_cursor* cursor) {
+    delete static_cast<Cursor*>(cursor);
+    return SQLITE_OK;
+  }
+  static int start(sqlite3_vtab_cursor* cursor, int, const char*, int, sqlite3_value**) {
+    return step(cursor);
+  }
+  static int step(sqlite3_vtab_cursor* cursor) {
+    RowTable& rows = rows_of(cursor);
+    try {
+      rows.at_end_ = !rows.next_(rows.row_);
+      return SQLITE_OK;
+    } catch (...) {
+      rows.failure_ = std::current_exception();
+      return SQLITE_ABORT;
+    }
+  }
+  static int at_end(sqlite3_vtab_cursor* cursor) { return rows_of(cursor).at_end_ ? 1 : 0; }
+  static int column(sqlite3_vtab_cursor* cursor, sqlite3_context* to, int i) {
+    const SqlValue& value = rows_of(cursor).row_[static_cast<std::size_t>(i)];
+    if (const auto* const whole = std::get_if<std::int64_t>(&value))
+      sqlite3_result_int64(to, *whole);
+    else if (const auto* const real = std::get_if<double>(&value))
+      sqlite3_result_double(to, *real);
+    else if (const auto* const text = std::get_if<std::string_view>(&value))
+      sqlite3_result_text64(to, there(*text), text->size(), SQLITE_STATIC, SQLITE_UTF8);
+    else if (const auto* const blob = std::get_if<SqlBlob>(&value))
+      sqlite3_result_blob64(to, there(blob->bytes), blob->bytes.size(), SQLITE_STATIC);
+    return SQLITE_OK;  // nothing is what a column has by itself
+  }
+  /// Nothing at no address would be NULL.
+  static const char* there(std::string_view bytes) { return bytes.empty() ? "" : bytes.data(); }
+  static int row_id(sqlite3_vtab_cursor*, sqlite3_int64*) { return SQLITE_ERROR; }
+
+  const NextRow& next_;
+  std::vector<SqlValue> row_;
+  bool at_end_ = false;
+  std::exception_ptr failure_;
+};
+
+const sqlite3_module RowTable::kModule = [] {
+  sqlite3_module module{};
+  module.xConnect = connect;
+  module.xBestIndex = plan;
+  module.xDisconnect = disconnect;
+  module.xDestroy = disconnect;
+  module.xOpen = open;
+  module.xClose = close;
+  module.xFilter = start;
+  module.xNext = step;
+  module.xEof = at_end;
+  module.xColumn = column;
+  module.xRowid = row_id;
+  return module;
+}();
 
 }  // namespace
 
@@ -49,6 +150,15 @@ std::int64_t Database::number(const std::string& query) {
   return value;
 }
 
+void Database::insert(const std::string& statement, std::size_t columns, const NextRow& next) {
+  RowTable rows(columns, next);
+  if (sqlite3_create_module(handle_, kRowTable, &RowTable::kModule, &rows) != SQLITE_OK) fail();
+  const std::string text = fmt::format("{} SELECT * FROM {}", statement, kRowTable);
+  const int result = sqlite3_exec(handle_, text.c_str(), nullptr, nullptr, nullptr);
+  rows.rethrow();
+  if (result != SQLITE_OK) fail();
+}
+
 void Database::close() {
   if (sqlite3_close(handle_) != SQLITE_OK) fail();
   handle_ = nullptr;
@@ -61,43 +171,6 @@ void Database::fail() {
                     : error != 0        ? std::strerror(error)
                                         : sqlite3_errmsg(handle_);
   throw FileError(fmt::format("cannot write {}: {}", shown_.string(), why));
-}
-
-Statement::Statement(Database& database, const std::string& text) : database_(database) {
-  check(sqlite3_prepare_v2(database.handle_, text.c_str(), -1, &handle_, nullptr));
-}
-
-Statement::~Statement() {
-  sqlite3_finalize(handle_);
-}
-
-void Statement::check(int result) {
-  if (result != SQLITE_OK) database_.fail();
-}
-
-void Statement::bind(int place, std::int64_t value) {
-  check(sqlite3_bind_int64(handle_, place, value));
-}
-
-void Statement::bind(int place, double value) {
-  check(sqlite3_bind_double(handle_, place, value));
-}
-
-void Statement::bind_null(int place) {
-  check(sqlite3_bind_null(handle_, place));
-}
-
-void Statement::bind_text(int place, std::string_view text) {
-  check(sqlite3_bind_text64(handle_, place, text.data(), text.size(), SQLITE_STATIC, SQLITE_UTF8));
-}
-
-void Statement::bind_blob(int place, std::string_view bytes) {
-  check(sqlite3_bind_blob64(handle_, place, bytes.data(), bytes.size(), SQLITE_STATIC));
-}
-
-void Statement::run() {
-  if (sqlite3_step(handle_) != SQLITE_DONE) database_.fail();
-  check(sqlite3_reset(handle_));
 }
 
 std::string sql_name(std::string_view name) {
