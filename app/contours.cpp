@@ -96,7 +96,10 @@ int run(const Arguments& arguments) {
     progress.report("contours");
     const std::vector<ContourLine> lines = naming(arguments.tin, [&] {
       const std::vector<double> levels = contour_levels(tin, interval, base);
-      return levels.empty() ? std::vector<ContourLine>() : contours(tin, levels);
+      return levels.empty() ? std::vector<ContourLine>()
+                            : contours(tin, levels, [&](std::string_view phase, double done) {
+                                progress.report(phase, done);
+                              });
     });
     findings = findings_of(lines);
     progress.report("writing");

@@ -40,10 +40,11 @@ int run(const Arguments& arguments) {
     TerminalProgress progress;
     progress.report("reading");
     const Tin tin = read_surface(arguments.tin);
-    grid = grid_of(arguments.raster, tin, arguments.tin);
+    grid = grid_of(arguments.raster, tin.points, tin.crs, arguments.tin);
     progress.report("writing");
     naming(arguments.tin, [&] {
-      write_rasters(tin, grid, arguments.raster, arguments.output, outputs);
+      write_rasters(tin, grid, arguments.raster, arguments.output, outputs,
+                    [&](std::string_view phase, double done) { progress.report(phase, done); });
       return 0;
     });
   }

@@ -39,20 +39,28 @@ void check_raster(const RasterArguments& arguments, const std::string& output,
   check_other_outputs("--hillshade", shade, written);
 }
 
-Grid grid_of(const RasterArguments& arguments, const Tin& tin, const std::string& name) {
+Grid grid_of(const RasterArguments& arguments, const PointSet& points, const std::string& crs,
+             const std::string& name) {
   if (arguments.like.empty())
-    return grid_over(tin, parse_number("--resolution", arguments.resolution));
+    return naming(name, [&] {
+      return grid_over(points.xy, parse_number("--resolution", arguments.resolution));
+    });
   const GridOfFile like = read_grid(arguments.like);
-  require_same_crs(name, tin.crs, arguments.like, like.crs);
+  require_same_crs(name, crs, arguments.like, like.crs);
+  naming(arguments.like, [&] {
+    check_size(like.grid);
+    return 0;
+  });
   return like.grid;
 }
 
 void write_rasters(const Tin& tin, const Grid& grid, const RasterArguments& arguments,
-                   const std::string& output, Outputs& outputs) {
+                   const std::string& output, Outputs& outputs, const Progress& progress) {
   if (!tin.points.has_heights())
     throw ParameterError("a raster needs heights, and the mesh has none");
-  if (!output.empty()) write_heights(tin, grid, outputs.open(output));
-  if (!arguments.hillshade.empty()) write_hillshade(tin, grid, outputs.open(arguments.hillshade));
+  if (!output.empty()) write_heights(tin, grid, outputs.open(output), progress);
+  if (!arguments.hillshade.empty())
+    write_hillshade(tin, grid, outputs.open(arguments.hillshade), progress);
 }
 
 }  // namespace hodt::app

@@ -29,12 +29,14 @@ void add_raster_options(CLI::App& command, RasterArguments& arguments);
 void check_raster(const RasterArguments& arguments, const std::string& output,
                   std::span<const std::string> read, std::span<const std::string> written);
 
-/// The cells: those of --like, or as large as --resolution says. Throws InputError if the raster
-/// is of another coordinate reference system than the mesh, which errors call `name`.
-Grid grid_of(const RasterArguments& arguments, const Tin& tin, const std::string& name);
+/// The cells over points: those of --like, or as large as --resolution says. Throws InputError if
+/// the raster is of another coordinate reference system than the points, which errors call `name`,
+/// and ParameterError if there are too many.
+Grid grid_of(const RasterArguments& arguments, const PointSet& points, const std::string& crs,
+             const std::string& name);
 
 /// Writes the rasters that were asked for, heights to `output` unless it is empty.
 void write_rasters(const Tin& tin, const Grid& grid, const RasterArguments& arguments,
-                   const std::string& output, Outputs& outputs);
+                   const std::string& output, Outputs& outputs, const Progress& progress);
 
 }  // namespace hodt::app

@@ -239,11 +239,12 @@ int run(const Arguments& arguments) {
   const ThreadLimit limit(parse_threads(arguments.threads));
   check_choices(arguments.input);
   const bool is_raster = is_raster_name(arguments.output);
+  const bool makes_raster = is_raster || arguments.raster.any();
   if (!is_raster) {
     check_output_extension(arguments.output);
     options.tell_orders = format_for(arguments.output, Use::write_tin).keeps.order;
   }
-  if (is_raster || arguments.raster.any())
+  if (makes_raster)
     check_raster(
         arguments.raster, is_raster ? arguments.output : "", inputs_of(arguments),
         {{arguments.output, arguments.json, arguments.changes.pits, arguments.changes.changed}});
@@ -274,8 +275,16 @@ int run(const Arguments& arguments) {
     Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
                                      source.numbers);
     if (source.is_tin) add_given(source.constraints, input, joined);
+    // Cells that are too many are so before the work begins, unless a part of the terrain is cut
+    // out.
+    const bool is_whole =
+        arguments.constraints.outline.empty() && arguments.constraints.max_edge.empty();
+    if (makes_raster && is_whole) grid_of(arguments.raster, joined.points, source.input.crs, input);
     const double read = watch.lap();
-    options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
+    const Progress report = [&](std::string_view phase, double done) {
+      progress.report(phase, done);
+    };
+    options.progress = report;
     result = triangulate_joined(input, joined, options);
     if (source.input.duplicates) result.report.duplicate_heights = source.input.duplicates;
     if (arguments.constraints.any()) {
@@ -285,9 +294,9 @@ int run(const Arguments& arguments) {
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
-    if (is_raster || arguments.raster.any())
-      write_rasters(result.tin, grid_of(arguments.raster, result.tin, input), arguments.raster,
-                    is_raster ? arguments.output : "", outputs);
+    if (makes_raster)
+      write_rasters(result.tin, grid_of(arguments.raster, result.tin.points, result.tin.crs, input),
+                    arguments.raster, is_raster ? arguments.output : "", outputs, report);
     if (!is_raster) write_tin(result.tin, outputs.open(arguments.output));
     write_changes(arguments.changes, result, outputs);
     write_picture(arguments.picture, input, parse_order(arguments.order).digits, result, joined,

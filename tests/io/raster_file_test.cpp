@@ -7,6 +7,7 @@
 
 #include "ogr.h"
 #include "temporary_directory.h"
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"
@@ -111,6 +112,37 @@ TEST_F(RasterFile, is_the_same_on_any_number_of_threads) {
   const ThreadLimit limit(3);
   write("three.tif", tin, grid, false);
   EXPECT_EQ(content_of(directory_ / "one.tif"), content_of(directory_ / "three.tif"));
+}
+
+// Of a wide raster fewer rows are written at once: they have to be those of its tiles.
+TEST_F(RasterFile, may_be_very_wide) {
+  const Tin tin = tent();
+  const Grid grid{500000, 5400302, 320. / 2200000, 16, 2200000, 20};
+  std::vector<double> told;
+  {
+    OutputFile file(directory_ / "wide.tif");
+    write_heights(tin, grid, file, [&](std::string_view, double done) { told.push_back(done); });
+    file.commit();
+  }
+  EXPECT_EQ(told, (std::vector<double>{0, 0.8}));
+  const std::string at = "gdallocationinfo -valonly '" + (directory_ / "wide.tif").string() + "' ";
+  for (const std::size_t row : {std::size_t{0}, std::size_t{9}, std::size_t{17}}) {
+    std::vector<Index> triangles(grid.columns);
+    std::vector<double> heights(grid.columns);
+    CellTriangles(tin, grid).fill(row, triangles);
+    heights_of_cells(tin, grid, row, triangles, heights);
+    for (const std::size_t column : {0, 1099999, 2199999})
+      EXPECT_EQ(printed_by(at + std::to_string(column) + " " + std::to_string(row)),
+                printed_by("printf '%.15g\\n' " + fmt::format("{}", heights[column])))
+          << column << ' ' << row;
+  }
+}
+
+TEST_F(RasterFile, refuses_more_cells_than_a_raster_may_have) {
+  const Grid grid{500000, 5400302, 1, 1, kMostColumns, kMostColumns};
+  EXPECT_THROW(write("a.tif", tent(), grid, false), ParameterError);
+  EXPECT_THROW(write("a.tif", tent(), grid, true), ParameterError);
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "a.tif"));
 }
 
 TEST_F(RasterFile, tells_its_cells) {

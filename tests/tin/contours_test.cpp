@@ -240,7 +240,14 @@ TEST(Contours, refuse_what_makes_no_sense) {
   EXPECT_THROW(contour_levels(tin, 0), ParameterError);
   EXPECT_THROW(contour_levels(tin, -1), ParameterError);
   EXPECT_THROW(contour_levels(tin, std::numeric_limits<double>::quiet_NaN()), ParameterError);
-  EXPECT_THROW(contour_levels(tin, 1e-9), ParameterError);
+  for (const double interval : {1e-7, 1e-9, 1e-300, 4e-324}) try {
+      contour_levels(tin, interval);
+      FAIL() << interval;
+    } catch (const ParameterError& error) {
+      EXPECT_NE(std::string(error.what()).find("choose a larger one, 5e-07 does"),
+                std::string::npos)
+          << error.what();
+    }
   EXPECT_THROW(contours(tin, {}), ParameterError);
   EXPECT_THROW(contours(tin, std::vector<double>{1, 1}), ParameterError);
   Tin planar = tin;

@@ -144,8 +144,43 @@ TEST(Raster, borders_are_multiples_of_the_resolution) {
   EXPECT_EQ(grid.rows, 6u);
   EXPECT_EQ(grid.x(0), 15);
   EXPECT_EQ(grid.y(5), -5);
-  for (const double resolution : {0., -1., 1e-15, 1e-9})
+  for (const double resolution : {0., -1., 1e-15, 1e-9, 4e-324})
     EXPECT_THROW(grid_over(tin, resolution), ParameterError);
+}
+
+std::string refusal_of(const std::vector<Point>& points, double resolution) {
+  try {
+    grid_over(points, resolution);
+  } catch (const ParameterError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// The resolution that is suggested does, and it is the first one of the round numbers that does.
+TEST(Grid, suggests_a_resolution_that_does) {
+  const std::vector<std::vector<Point>> terrains = {
+      {{0, 0}, {1000, 1000}},       {{0, 0}, {1, 1e7}},
+      {{-3e6, 5e6}, {-2e6, 5.1e6}}, {{5e6, 5e6}, {5e6 + 1e-6, 5e6 + 1e-6}},
+      {{-1e300, 0}, {1e300, 1}},    {{0, 0}, {1e-300, 1e-300}}};
+  for (const std::vector<Point>& points : terrains)
+    for (double resolution = 1e300; resolution > 0; resolution /= 1e4) {
+      const std::string refusal = refusal_of(points, resolution);
+      if (refusal.empty()) continue;
+      const std::size_t at = refusal.find("choose a larger one, ");
+      ASSERT_NE(at, std::string::npos) << refusal;
+      const double does = std::stod(refusal.substr(at + 21));
+      EXPECT_EQ(refusal_of(points, does), "");
+      EXPECT_TRUE(does / 2.5 <= resolution || refusal_of(points, does / 2.5) != "") << refusal;
+    }
+}
+
+TEST(Grid, has_a_largest_size) {
+  EXPECT_NO_THROW(check_size({0, 0, 1, 1, kMostColumns, 2000}));
+  EXPECT_NO_THROW(check_size({0, 0, 1, 1, 100000, 100000}));
+  EXPECT_THROW(check_size({0, 0, 1, 1, kMostColumns + 1, 1}), ParameterError);
+  EXPECT_THROW(check_size({0, 0, 1, 1, 1, kMostColumns + 1}), ParameterError);
+  EXPECT_THROW(check_size({0, 0, 1, 1, 100001, 100000}), ParameterError);
 }
 
 TEST(Hillshade, faces_the_light) {

@@ -16,20 +16,27 @@ namespace hodt {
 
 namespace {
 
-/// A whole number of tiles, so that each is packed once.
-constexpr std::size_t kRowsAtOnce = 256;
+/// How many rows are computed and written at once: as high as tiles are, so that each is packed
+/// once, and fewer in a wide raster, so that memory holds them.
+std::size_t rows_at_once(const Grid& grid) {
+  constexpr std::size_t most_cells = std::size_t{1} << 26, multiple = 16;
+  return std::clamp<std::size_t>(most_cells / grid.columns / multiple * multiple, multiple, 256);
+}
 
 /// Has values(row, triangles, out) computed for some rows after the other, and writes them.
 template <class Value, class Values>
 void write_rows(const Tin& tin, const Grid& grid, double no_data, OutputFile& file,
-                const Values& values) {
+                const Progress& progress, const Values& values) {
+  check_size(grid);
+  const std::size_t rows_in_batch = rows_at_once(grid);
   file.fill_by_name([&](const std::filesystem::path& path) {
-    RasterWriter writer(path, grid, tin.crs, RasterType{sizeof(Value)}, no_data);
+    RasterWriter writer(path, grid, tin.crs, RasterType{sizeof(Value)}, no_data, rows_in_batch);
     const CellTriangles cells(tin, grid);
     std::vector<Index> triangles;
     std::vector<Value> out;
-    for (std::size_t row = 0; row < grid.rows; row += kRowsAtOnce) {
-      const std::size_t count = std::min(kRowsAtOnce, grid.rows - row) * grid.columns;
+    for (std::size_t row = 0; row < grid.rows; row += rows_in_batch) {
+      if (progress) progress("raster", double(row) / double(grid.rows));
+      const std::size_t count = std::min(rows_in_batch, grid.rows - row) * grid.columns;
       triangles.resize(count);
       out.resize(count);
       cells.fill(row, triangles);
@@ -42,18 +49,18 @@ void write_rows(const Tin& tin, const Grid& grid, double no_data, OutputFile& fi
 
 }  // namespace
 
-void write_heights(const Tin& tin, const Grid& grid, OutputFile& file) {
+void write_heights(const Tin& tin, const Grid& grid, OutputFile& file, const Progress& progress) {
   write_rows<double>(
-      tin, grid, std::numeric_limits<double>::quiet_NaN(), file,
+      tin, grid, std::numeric_limits<double>::quiet_NaN(), file, progress,
       [&](std::size_t row, const std::vector<Index>& triangles, std::vector<double>& heights) {
         heights_of_cells(tin, grid, row, triangles, heights);
       });
 }
 
-void write_hillshade(const Tin& tin, const Grid& grid, OutputFile& file) {
+void write_hillshade(const Tin& tin, const Grid& grid, OutputFile& file, const Progress& progress) {
   const Hillshade hillshade(tin);
   write_rows<unsigned char>(
-      tin, grid, 0, file,
+      tin, grid, 0, file, progress,
       [&](std::size_t, const std::vector<Index>& triangles, std::vector<unsigned char>& shades) {
         hillshade.shades_of_cells(triangles, shades);
       });

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "hodt/base/progress.h"
 #include "hodt/io/atomic_write.h"
 #include "hodt/tin/raster.h"
 
@@ -13,11 +14,13 @@ namespace hodt {
 /// Writes heights at the centres of cells, as doubles; NaN, declared as no data, outside of the
 /// mesh, which is embedded and has heights. A centre at a vertex has its height bit by bit. All
 /// cores work; memory does not grow with the number of rows. Throws FileError, and ParameterError
-/// without GDAL.
-void write_heights(const Tin& tin, const Grid& grid, OutputFile& file);
+/// without GDAL or if there are more cells than a raster may have.
+void write_heights(const Tin& tin, const Grid& grid, OutputFile& file,
+                   const Progress& progress = {});
 
 /// Writes shades (see Hillshade) as bytes; 0, declared as no data, outside.
-void write_hillshade(const Tin& tin, const Grid& grid, OutputFile& file);
+void write_hillshade(const Tin& tin, const Grid& grid, OutputFile& file,
+                     const Progress& progress = {});
 
 /// A raster's cells, and its coordinate reference system.
 struct GridOfFile {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/tin/counter_clockwise.h"
+#include "hodt/tin/round_number.h"
 
 namespace hodt {
 
@@ -24,6 +26,8 @@ struct Crossed {
   friend bool operator==(const Crossed&, const Crossed&) = default;
   friend auto operator<=>(const Crossed&, const Crossed&) = default;
 };
+
+constexpr std::size_t kGrain = 1 << 13;
 
 /// What a triangle has of a level: from edge to edge, with the higher part on the left.
 struct Piece {
@@ -46,22 +50,44 @@ Piece piece_of(const std::array<Index, 3>& corners, std::span<const double> z, I
   return piece;
 }
 
+/// The levels that a triangle has a piece of: above its lowest corner, not above its highest.
+std::span<const double> levels_of(const Tin& tin, std::size_t t, std::span<const double> levels) {
+  const auto& [a, b, c] = tin.triangles[t];
+  const std::vector<double>& z = tin.points.z;
+  const auto [low, high] = std::minmax({z[a], z[b], z[c]});
+  const auto first = std::upper_bound(levels.begin(), levels.end(), low);
+  return {first, std::upper_bound(first, levels.end(), high)};
+}
+
+/// Throws ParameterError if there are more pieces than memory holds.
+void check_pieces(const Tin& tin, std::span<const double> levels) {
+  constexpr double most = 1e9;
+  const double pieces =
+      parallel_sum(0, tin.triangles.size(), kGrain, [&](std::size_t first, std::size_t last) {
+        std::size_t count = 0;
+        for (std::size_t t = first; t < last; ++t) count += levels_of(tin, t, levels).size();
+        return static_cast<double>(count);
+      });
+  if (pieces > most)
+    throw ParameterError(fmt::format(
+        "contours at {} levels are {} pieces of lines, more than the {} that there may be; choose "
+        "levels {} times as far apart",
+        levels.size(), pieces, most, std::ceil(pieces / most)));
+}
+
 std::vector<Piece> pieces_of(const Tin& tin, std::span<const double> levels) {
   const std::vector<double>& z = tin.points.z;
   const std::vector<Point>& xy = tin.points.xy;
-  constexpr std::size_t kGrain = 1 << 13;
   return parallel_collect<Piece>(
       0, tin.triangles.size(), kGrain,
       [&](std::size_t first, std::size_t last, std::vector<Piece>& found) {
         for (std::size_t t = first; t < last; ++t) {
-          const auto& [a, b, c] = tin.triangles[t];
-          const auto [low, high] = std::minmax({z[a], z[b], z[c]});
-          auto level = std::upper_bound(levels.begin(), levels.end(), low);
-          if (level == levels.end() || *level > high) continue;
+          const std::span<const double> crossed = levels_of(tin, t, levels);
+          if (crossed.empty()) continue;
           const std::array<Index, 3> corners = counter_clockwise(xy, tin.triangles[t]);
-          for (; level != levels.end() && *level <= high; ++level)
+          for (const double& level : crossed)
             found.push_back(
-                piece_of(corners, z, static_cast<Index>(level - levels.begin()), *level));
+                piece_of(corners, z, static_cast<Index>(&level - levels.data()), level));
         }
       });
 }
@@ -157,21 +183,33 @@ void check_heights(const Tin& tin) {
 
 }  // namespace
 
-std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels) {
+std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels,
+                                  const Progress& progress) {
   check_heights(tin);
   if (levels.empty()) throw ParameterError("there are no levels to draw contours at");
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (!std::isfinite(levels[i]) || (i > 0 && levels[i] <= levels[i - 1]))
       throw ParameterError("the levels of contours must be finite and ascend");
+  check_pieces(tin, levels);
   std::vector<Piece> pieces = pieces_of(tin, levels);
   const std::vector<std::size_t> begin = sort_by_level(pieces, levels.size());
-  return parallel_collect<ContourLine>(
-      0, levels.size(), 1,
-      [&](std::size_t first, std::size_t last, std::vector<ContourLine>& found) {
-        for (std::size_t i = first; i < last; ++i)
-          Chainer(tin, levels[i], std::span(pieces).subspan(begin[i], begin[i + 1] - begin[i]))
-              .append_lines(found);
+  const auto append_lines = [&](std::size_t first, std::size_t last,
+                                std::vector<ContourLine>& found) {
+    for (std::size_t i = first; i < last; ++i)
+      Chainer(tin, levels[i], std::span(pieces).subspan(begin[i], begin[i + 1] - begin[i]))
+          .append_lines(found);
+  };
+  std::vector<ContourLine> lines;
+  const std::size_t batch = levels.size() / 50 + 1;
+  std::size_t done = 0;
+  parallel_stream<ContourLine>(
+      0, levels.size(), batch, 1, append_lines, [&](std::vector<ContourLine>& found) {
+        lines.insert(lines.end(), std::make_move_iterator(found.begin()),
+                     std::make_move_iterator(found.end()));
+        done += batch;
+        if (progress) progress("contours", std::min(1., double(done) / double(levels.size())));
       });
+  return lines;
 }
 
 std::vector<double> contour_levels(const Tin& tin, double interval, double base) {
@@ -184,14 +222,16 @@ std::vector<double> contour_levels(const Tin& tin, double interval, double base)
   std::vector<double> levels;
   if (tin.points.z.empty()) return levels;
   const auto [low, high] = std::minmax_element(tin.points.z.begin(), tin.points.z.end());
-  const double first = std::ceil(*low / interval - base / interval) - 1,
-               last = std::floor(*high / interval - base / interval) + 1;
+  const auto first_of = [&](double d) { return std::ceil(*low / d - base / d) - 1; };
+  const auto last_of = [&](double d) { return std::floor(*high / d - base / d) + 1; };
   constexpr double kMost = 1e7;
-  if (!(last - first <= kMost))
+  const auto does = [&](double d) { return last_of(d) - first_of(d) <= kMost; };
+  if (!does(interval))
     throw ParameterError(fmt::format(
-        "an interval of {} makes more than ten million levels between {} and {}; choose "
-        "a larger one",
-        interval, *low, *high));
+        "an interval of {} makes more than the {} levels between {} and {} that there may be; "
+        "choose a larger one, {} does",
+        interval, kMost, *low, *high, next_round_number(interval, does)));
+  const double first = first_of(interval), last = last_of(interval);
   for (double i = first; i <= last; ++i) {
     const double level = base + i * interval;
     if (*low <= level && level <= *high && (levels.empty() || level > levels.back()))

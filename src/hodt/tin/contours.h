@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hodt/base/progress.h"
 #include "hodt/geometry/point.h"
 #include "hodt/tin/tin.h"
 
@@ -29,10 +30,11 @@ struct ContourLine {
 /// most. Along a ridge that is at the level, two run side by side, one for each flank. A line meets
 /// a vertex at the level exactly; elsewhere each of its positions is on an edge, rounded.
 ///
-/// Triangles may be given in either direction. Throws ParameterError if the mesh has no heights or
-/// the levels are none, InputError if an edge has more than two triangles. O(n + m log m) for m
-/// pieces of line.
-std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels);
+/// Triangles may be given in either direction. Throws ParameterError if the mesh has no heights,
+/// the levels are none, or they cut triangles into more than a thousand million pieces of lines;
+/// InputError if an edge has more than two triangles. O(n + m log m) for m pieces.
+std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels,
+                                  const Progress& progress = {});
 
 /// The levels base + i * interval, for whole numbers i, that the surface reaches. Throws
 /// ParameterError if the interval is not positive, either is not finite, or there would be more

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "hodt/geometry/predicates.h"
 #include "hodt/tin/counter_clockwise.h"
 #include "hodt/tin/interpolate.h"
+#include "hodt/tin/round_number.h"
 #include "hodt/tin/slope.h"
 
 namespace hodt {
@@ -48,39 +50,81 @@ std::pair<std::size_t, std::size_t> rows_of(const Tin& tin, const Grid& grid, st
                   grid.rows);
 }
 
+bool is_too_large(double columns, double rows) {
+  const double most = static_cast<double>(kMostColumns);
+  // What is infinite, or no number at all, is too large as well.
+  return !(columns <= most && rows <= most && columns * rows <= static_cast<double>(kMostCells));
+}
+
+std::string limits() {
+  return fmt::format("it may have {} columns, as many rows, and {} cells", kMostColumns,
+                     kMostCells);
+}
+
+/// Square cells that cover a box, their borders counted from the origin.
+struct Cells {
+  double west, east, south, north;
+
+  Cells(const Range& x, const Range& y, double width)
+      : west(std::floor(x.low / width)),
+        east(std::ceil(x.high / width)),
+        south(std::floor(y.low / width)),
+        north(std::ceil(y.high / width)) {}
+
+  double columns() const { return std::max(east - west, 1.); }
+  double rows() const { return std::max(north - south, 1.); }
+  bool are_too_many() const { return is_too_large(columns(), rows()); }
+  /// Whether the centres of neighbouring cells may not be told apart.
+  bool are_too_small() const {
+    constexpr double most = 0x1p50;
+    const auto is_far = [](double border) { return !(std::fabs(border) < most); };
+    return is_far(west) || is_far(east) || is_far(south) || is_far(north);
+  }
+};
+
+/// One to suggest in place of a resolution that does not do.
+double larger_resolution(const Range& x, const Range& y, double resolution) {
+  return next_round_number(resolution, [&](double width) {
+    const Cells cells(x, y, width);
+    return !cells.are_too_many() && !cells.are_too_small();
+  });
+}
+
 }  // namespace
 
-Grid grid_over(const Tin& tin, double resolution) {
+void check_size(const Grid& grid) {
+  if (is_too_large(static_cast<double>(grid.columns), static_cast<double>(grid.rows)))
+    throw ParameterError(fmt::format("a raster of {} columns and {} rows is too large: {}",
+                                     grid.columns, grid.rows, limits()));
+}
+
+Grid grid_over(std::span<const Point> points, double resolution) {
   if (!(resolution > 0) || !std::isfinite(resolution))
     throw ParameterError(
         fmt::format("the resolution must be a positive number, not {}", resolution));
+  if (points.empty()) throw InputError("the mesh has no points: there is no raster of it");
   Range x, y;
-  for (const Point& p : tin.points.xy) {
+  for (const Point& p : points) {
     x.add(p.x);
     y.add(p.y);
   }
-  if (tin.points.xy.empty()) throw InputError("the mesh has no points: there is no raster of it");
-  const double west = std::floor(x.low / resolution), east = std::ceil(x.high / resolution);
-  const double south = std::floor(y.low / resolution), north = std::ceil(y.high / resolution);
-  // Beyond, the centres of neighbouring cells are not told apart.
-  const double most_steps = 0x1p50;
-  for (const double step : {west, east, south, north})
-    if (!(std::fabs(step) < most_steps))
-      throw ParameterError(fmt::format(
-          "a resolution of {} is too fine for coordinates as large as these", resolution));
-  const double columns = std::max(east - west, 1.), rows = std::max(north - south, 1.);
-  if (columns > std::numeric_limits<std::int32_t>::max() ||
-      rows > std::numeric_limits<std::int32_t>::max())
-    throw ParameterError(
-        fmt::format("a resolution of {} makes {} columns and {} rows; choose a "
-                    "larger one",
-                    resolution, columns, rows));
-  return {west * resolution,
-          north * resolution,
+  const Cells cells(x, y, resolution);
+  if (cells.are_too_many())
+    throw ParameterError(fmt::format(
+        "a resolution of {} makes {} columns and {} rows, which is too large a raster: {}; choose "
+        "a larger one, {} does",
+        resolution, cells.columns(), cells.rows(), limits(), larger_resolution(x, y, resolution)));
+  if (cells.are_too_small())
+    throw ParameterError(fmt::format(
+        "a resolution of {} is too fine for coordinates as large as these; choose a larger one, "
+        "{} does",
+        resolution, larger_resolution(x, y, resolution)));
+  return {cells.west * resolution,
+          cells.north * resolution,
           resolution,
           resolution,
-          static_cast<std::size_t>(columns),
-          static_cast<std::size_t>(rows)};
+          static_cast<std::size_t>(cells.columns()),
+          static_cast<std::size_t>(cells.rows())};
 }
 
 CellTriangles::CellTriangles(const Tin& tin, const Grid& grid) : tin_(tin), grid_(grid) {

@@ -22,11 +22,21 @@ struct Grid {
   double y(std::size_t row) const { return north - (double(row) + 0.5) * height; }
 };
 
+/// How many cells a raster may have, and how many columns and rows: far more than anybody looks at,
+/// and no more than a disk and a day hold.
+constexpr std::size_t kMostCells = 10'000'000'000, kMostColumns = std::size_t{1} << 22;
+
+/// Throws ParameterError if there are more.
+void check_size(const Grid& grid);
+
 /// Square cells that cover all points, their borders at multiples of the resolution, so that grids
 /// of neighbouring areas fit together. Throws ParameterError if the resolution is not a positive
-/// number, too fine for the coordinates' digits, or there would be more than 2^31 - 1 columns or
-/// rows.
-Grid grid_over(const Tin& tin, double resolution);
+/// number, too fine for the coordinates' digits, or makes more cells than a raster may have; it
+/// says which one does not.
+Grid grid_over(std::span<const Point> points, double resolution);
+inline Grid grid_over(const Tin& tin, double resolution) {
+  return grid_over(tin.points.xy, resolution);
+}
 
 /// Which triangles the centres of cells are in, of an embedded mesh (see embedding.h) whose
 /// triangles may be given in either direction. Decided exactly. Where several have the centre on

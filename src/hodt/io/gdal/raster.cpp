@@ -15,9 +15,12 @@ namespace hodt {
 
 namespace {
 
-GDALDatasetH create(const std::filesystem::path& path, const Grid& grid, RasterType type) {
+GDALDatasetH create(const std::filesystem::path& path, const Grid& grid, RasterType type,
+                    std::size_t tile_rows) {
+  const std::string rows = std::to_string(tile_rows);
   char** options = nullptr;
   for (const auto& [key, value] : {std::pair{"TILED", "YES"},
+                                   {"BLOCKYSIZE", rows.c_str()},
                                    {"COMPRESS", "DEFLATE"},
                                    {"PREDICTOR", type == RasterType::height ? "3" : "2"},
                                    {"BIGTIFF", "IF_SAFER"},
@@ -53,9 +56,10 @@ struct RasterWriter::State {
 };
 
 RasterWriter::RasterWriter(const std::filesystem::path& path, const Grid& grid,
-                           const std::string& crs, RasterType type, double no_data)
+                           const std::string& crs, RasterType type, double no_data,
+                           std::size_t tile_rows)
     : state_(new State{{}, Dataset(), type, static_cast<int>(grid.columns)}) {
-  state_->dataset.reset(create(path, grid, type));
+  state_->dataset.reset(create(path, grid, type, tile_rows));
   if (!state_->dataset) state_->fail();
   GDALDatasetH dataset = state_->dataset.get();
   Affine affine = {grid.west, grid.width, 0, grid.north, 0, -grid.height};

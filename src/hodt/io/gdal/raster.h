@@ -17,9 +17,9 @@ enum class RasterType : std::size_t { shade = 1, height = 8 };
 /// A GeoTIFF with one band, packed without loss, written from row to row.
 class RasterWriter {
  public:
-  /// Throws FileError if there cannot be such a file.
+  /// Tiles are of so many rows, a multiple of 16. Throws FileError if there cannot be such a file.
   RasterWriter(const std::filesystem::path& path, const Grid& grid, const std::string& crs,
-               RasterType type, double no_data);
+               RasterType type, double no_data, std::size_t tile_rows);
   ~RasterWriter();
   RasterWriter(const RasterWriter&) = delete;
   RasterWriter& operator=(const RasterWriter&) = delete;

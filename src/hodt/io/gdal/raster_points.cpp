@@ -105,8 +105,9 @@ PointSet centres(GDALDatasetH dataset, GDALRasterBandH band, Index stride,
   Values values(band);
   PointSet points;
   const std::size_t most = std::min<std::size_t>(taken(columns) * taken(rows), kNone);
-  points.xy.reserve(most);
-  points.z.reserve(most);
+  // Of a huge raster most may be left out.
+  points.xy.reserve(std::min(most, std::size_t{1} << 26));
+  points.z.reserve(std::min(most, std::size_t{1} << 26));
   std::vector<double> heights(static_cast<std::size_t>(columns));
   for (std::int64_t row = 0; row < rows; row += stride) {
     if (!values.read(static_cast<int>(row), heights))
