@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "hodt/geometry/predicates.h"
 
@@ -144,10 +143,7 @@ Index Pencil::fewest_inside() const {
 }
 
 void Pencil::put_in_order(Index i, std::size_t sample) {
-  // Places are cotangents of the angle that u i is seen at; their rounding is less than `error`.
-  constexpr double kSlack = 64 * 0x1p-53, kTiny = 1e-290;
   const Point &u = around_.graph().point(around_.centre()), &v = around_.point(i);
-  const double qx = v.x - u.x, qy = v.y - u.y, qq = qx * qx + qy * qy;
   passed_.clear();
   right_count_ = between_count_ = 0;
   Index left_count = 0;
@@ -161,18 +157,15 @@ void Pencil::put_in_order(Index i, std::size_t sample) {
     }
     if ((s > 0 ? left_count : right_count_) >= sample) continue;
     ++(s > 0 ? left_count : right_count_);
-    const double x = around_.point(p).x - u.x, y = around_.point(p).y - u.y, r = x * x + y * y;
-    const double cross = qx * y - qy * x, place = (r - (qx * x + qy * y)) / cross;
-    const double error = kSlack * ((qq + r) + kTiny) * (1 + std::fabs(place)) / std::fabs(cross);
-    passed_.push_back({place, error, p, s > 0});
+    passed_.push_back({Passing::of(u, v, around_.point(p)), p, s > 0});
   }
   std::sort(passed_.begin(), passed_.end(),
             [&](const Passed& p, const Passed& q) { return is_passed_before(i, p, q); });
 }
 
 bool Pencil::is_passed_before(Index i, const Passed& p, const Passed& q) const {
-  if (p.place + p.error < q.place - q.error) return true;
-  if (q.place + q.error < p.place - p.error) return false;
+  if (p.at.is_surely_before(q.at)) return true;
+  if (q.at.is_surely_before(p.at)) return false;
   if (p.vertex == q.vertex) return false;
   // Where q is passed, p on the left is inside already, or p on the right is outside.
   return is_inside(i, q.vertex, q.on_left ? Side::left : Side::right, p.vertex) == p.on_left;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hodt/order/search/neighbourhood.h"
+#include "hodt/order/search/passing.h"
 
 namespace hodt {
 
@@ -52,7 +53,7 @@ class Pencil {
 
   /// A point where it enters or leaves the circles.
   struct Passed {
-    double place, error;
+    Passing at;
     Index vertex;
     bool on_left;
   };
