@@ -166,7 +166,13 @@ def useful_edges(
     constraints: Constraints | None = None,
     threads: int | None = None,
 ) -> _Integers: ...
-def kod_edges(points: ArrayLike, k: float = 4, *, threads: int | None = None) -> _Integers: ...
+def kod_edges(
+    points: ArrayLike,
+    k: float = 4,
+    *,
+    constraints: Constraints | None = None,
+    threads: int | None = None,
+) -> _Integers: ...
 def fixed_edges(
     points: ArrayLike,
     k: float = 4,
@@ -181,7 +187,13 @@ def triangles(
     constraints: Constraints | None = None,
     threads: int | None = None,
 ) -> _Integers: ...
-def kod_triangles(points: ArrayLike, k: float = 4, *, threads: int | None = None) -> _Integers: ...
+def kod_triangles(
+    points: ArrayLike,
+    k: float = 4,
+    *,
+    constraints: Constraints | None = None,
+    threads: int | None = None,
+) -> _Integers: ...
 def order(
     tin: Tin, edges: ArrayLike = (), *, plain: bool = False, threads: int | None = None
 ) -> int: ...

@@ -98,10 +98,10 @@ def useful_edges(points, k=4, *, constraints=None, threads=None):
     return _edges(points, k, _hodt.USEFUL, constraints, threads)
 
 
-def kod_edges(points, k=4, *, threads=None):
+def kod_edges(points, k=4, *, constraints=None, threads=None):
     """The edges with a circle through both ends that holds at most k points, int32 (e, 3): u, v and
-    the fewest points in one, u < v, sorted."""
-    return _edges(points, k, _hodt.KOD, None, threads)
+    the fewest points in one, u < v, sorted. With constraints only points that are reached count."""
+    return _edges(points, k, _hodt.KOD, constraints, threads)
 
 
 def fixed_edges(points, k=4, *, constraints=None, threads=None):
@@ -117,11 +117,12 @@ def triangles(points, k=4, *, constraints=None, threads=None):
                            native_constraints(constraints), as_threads(threads))
 
 
-def kod_triangles(points, k=4, *, threads=None):
+def kod_triangles(points, k=4, *, constraints=None, threads=None):
     """Any three points whose circle holds at most k others, int32 (t, 4): a, b, c and that number,
-    a < b < c, sorted. Other points may lie in the triangle."""
+    a < b < c, sorted. Other points may lie in the triangle. With constraints no line enters it, and
+    only points that are reached count."""
     return _hodt.triangles(as_points(points), as_order(k), _hodt.KOD_TRIANGLES,
-                           native_constraints(None), as_threads(threads))
+                           native_constraints(constraints), as_threads(threads))
 
 
 def order(tin, edges=(), *, plain=False, threads=None):

@@ -1,5 +1,7 @@
 """Edges and triangles of an order, against the definitions in exact arithmetic."""
 
+from itertools import combinations
+
 import numpy as np
 import pytest
 
@@ -65,6 +67,21 @@ def test_edges_that_have_to_be_there_hide_what_is_beyond(rng):
     assert constrained[edge] == 0
     p = brute.exact(points)
     assert not any(crosses(p, edge, other) for other in constrained)
+
+
+def test_every_class_knows_of_edges_that_have_to_be_there():
+    points = general(3, 12)
+    edge = next(e for e, order in brute.useful_edges(points, 3).items() if order == 3)
+    there = hodt.Constraints(edges=[edge])
+    p = brute.exact(points)
+    useful = as_dict(hodt.useful_edges(points, 2, constraints=there))
+    edges = as_dict(hodt.kod_edges(points, 2, constraints=there))
+    assert edges[edge] == 0 and not any(crosses(p, edge, other) for other in edges)
+    assert all(edges[e] <= order for e, order in useful.items())
+    triangles = as_dict(hodt.triangles(points, 2, constraints=there))
+    kod = as_dict(hodt.kod_triangles(points, 2, constraints=there))
+    assert all(kod[t] <= order for t, order in triangles.items())
+    assert not any(crosses(p, edge, side) for t in kod for side in combinations(t, 2))
 
 
 @pytest.mark.parametrize("k, says", [(-1, "0 or more"), (1.5, "whole"), ("2", "whole"),

@@ -134,8 +134,40 @@ TEST_F(ConstraintsCommand, refuses_what_it_cannot_use) {
                  "--split-crossings is for lines");
   expect_refused("triangulate points.csv --max-edge -1 -o a.ply", "--max-edge must be a length");
   expect_refused("triangulate - --breaklines - -o a.ply", "cannot both be standard input");
-  expect_refused("edges points.csv --class kod --breaklines road.geojson -o e.csv",
-                 "k-OD edges are not found with constraints");
+}
+
+/// Two squares that touch at row 0: around it there is a vertex for each.
+TEST_F(ConstraintsCommand, lists_both_sides_of_a_place_where_an_outline_touches_itself) {
+  put("touch.csv",
+      "x,y,z\n1,1,0\n0,0,1\n1,0,2\n0,1,3\n2,2,4\n1,2,5\n2,1,6\n0.4,0.5,1\n1.5,1.4,2\n");
+  put("touch.geojson", R"({"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[1,1],[0,1],[0,0]]],)"
+                       R"([[[1,1],[2,1],[2,2],[1,2],[1,1]]]]})");
+  const auto listed = [&](const std::string& what) {
+    return run(what + " touch.csv -k 0 --outline touch.geojson -o list.csv && cat list.csv").out;
+  };
+  EXPECT_TRUE(
+      listed("triangles")
+          .ends_with(
+              "order\n0,2,7,0\n0,3,7,0\n0,5,8,0\n0,6,8,0\n1,2,7,0\n1,3,7,0\n4,5,8,0\n4,6,8,0\n"));
+  EXPECT_NE(listed("edges").find("order\n0,2,0\n0,3,0\n0,5,0\n0,6,0\n0,7,0\n0,8,0\n1,2,0\n"),
+            std::string::npos);
+}
+
+TEST_F(ConstraintsCommand, lists_every_class) {
+  const auto listed = [&](const std::string& what) {
+    const Outcome outcome =
+        run(what + " --breaklines road.geojson -o list.csv && cat list.csv && rm list.csv");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out.substr(outcome.out.find("order\n"));
+  };
+  EXPECT_EQ(listed("edges points.csv -k 0 --class kod"),
+            listed("edges points.csv --class delaunay"));
+  EXPECT_EQ(listed("triangles points.csv -k 0 --class kod"),
+            listed("triangles points.csv -k 0 --class valid"));
+  EXPECT_GT(listed("edges points.csv -k 2 --class kod").size(),
+            listed("edges points.csv -k 2 --class useful").size());
+  EXPECT_GT(listed("triangles points.csv -k 2 --class kod").size(),
+            listed("triangles points.csv -k 2 --class valid").size());
 }
 
 }  // namespace

@@ -72,10 +72,11 @@ bool Disc::is_chord(int u, int v) const {
   return cross * cross < radius_squared_ * (dx * dx + dy * dy);
 }
 
-std::vector<int> walk(const Constrained& constrained, const Triangle& t, const Triangles& in,
-                      Ties ties) {
-  const Instance& instance = constrained.instance();
-  const Disc disc(instance, t, ties);
+/// What is inside the disc and reached from the triangles of the triangulation that begin(t) holds
+/// for.
+template <class Begin>
+std::vector<int> reached_from(const Constrained& constrained, const Disc& disc, const Triangles& in,
+                              const Begin& begin) {
   std::map<Edge, std::vector<std::size_t>> sides;
   for (std::size_t i = 0; i < in.size(); ++i) {
     for (const Edge& e : edges_of(in[i])) sides[e].push_back(i);
@@ -87,7 +88,7 @@ std::vector<int> walk(const Constrained& constrained, const Triangle& t, const T
     seen[i] = true;
   };
   for (std::size_t i = 0; i < in.size(); ++i) {
-    if (instance.triangles_overlap(t, in[i])) meet(i);
+    if (begin(in[i])) meet(i);
   }
   std::set<int> reached;
   for (std::size_t next = 0; next < met.size(); ++next) {
@@ -101,6 +102,32 @@ std::vector<int> walk(const Constrained& constrained, const Triangle& t, const T
     }
   }
   return {reached.begin(), reached.end()};
+}
+
+std::vector<int> walk(const Constrained& constrained, const Triangle& t, const Triangles& in,
+                      Ties ties) {
+  const Instance& instance = constrained.instance();
+  const Disc disc(instance, t, ties);
+  return reached_from(constrained, disc, in,
+                      [&](const Triangle& other) { return instance.triangles_overlap(t, other); });
+}
+
+/// The segment has a point in the interior of the triangle (counter-clockwise).
+bool enters(const Instance& instance, const Edge& segment, const Triangle& t) {
+  // Each side has the part of the segment on its left, which is between two fractions of it.
+  mpq_class from = 0, to = 1;
+  for (int i = 0; i < 3; ++i) {
+    const int a = t[i], b = t[(i + 1) % 3];
+    const auto left_of_side = [&](int p) {
+      return mpq_class((instance.x(b) - instance.x(a)) * (instance.y(p) - instance.y(a)) -
+                       (instance.y(b) - instance.y(a)) * (instance.x(p) - instance.x(a)));
+    };
+    const mpq_class at_u = left_of_side(segment[0]), at_v = left_of_side(segment[1]);
+    if (at_u <= 0 && at_v <= 0) return false;
+    if (at_u < 0) from = std::max(from, mpq_class(at_u / (at_u - at_v)));
+    if (at_v < 0) to = std::min(to, mpq_class(at_u / (at_u - at_v)));
+  }
+  return from < to;
 }
 
 }  // namespace
@@ -230,6 +257,33 @@ std::optional<int> Constrained::useful_order_by_lemma(int u, int v) const {
     if (with_edge.triangle_order(t) == 0) order = std::max(order, triangle_order(t));
   }
   return order;
+}
+
+std::optional<int> Constrained::edge_order(int u, int v) const {
+  if (!is_edge_possible(u, v)) return std::nullopt;
+  if (is_constraint(u, v)) return 0;
+  const Triangles in = some_triangulation({{u, v}});
+  int order = instance_.size();
+  for (int w = 0; w < instance_.size(); ++w) {
+    const int turn = instance_.orient(u, v, w);
+    if (turn == 0) continue;
+    const Disc disc(instance_, turn > 0 ? Triangle{u, v, w} : Triangle{v, u, w}, Ties::kPerturbed);
+    const auto reached = reached_from(*this, disc, in, [&](const Triangle& t) {
+      return std::ranges::count(t, u) > 0 && std::ranges::count(t, v) > 0;
+    });
+    order = std::min(order, static_cast<int>(reached.size()));
+  }
+  return order;
+}
+
+std::optional<int> Constrained::open_triangle_order(const Triangle& t) const {
+  const int turn = instance_.orient(t[0], t[1], t[2]);
+  if (turn == 0) return std::nullopt;
+  const Triangle turned = turn > 0 ? t : Triangle{t[0], t[2], t[1]};
+  for (const Edge& e : edges_) {
+    if (enters(instance_, e, turned)) return std::nullopt;
+  }
+  return static_cast<int>(walk(*this, turned, some_triangulation(), Ties::kPerturbed).size());
 }
 
 // ---- All triangulations ---------------------------------------------------------------------

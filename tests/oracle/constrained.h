@@ -78,6 +78,15 @@ class Constrained {
   /// the edge is not possible, 0 for a constraint.
   std::optional<int> useful_order_by_lemma(int u, int v) const;
 
+  /// The fewest vertices inside a circle through u and v that paths in it reach from the edge uv,
+  /// which blocks nothing. Empty if the edge is not possible, 0 for a constraint. (Circles that
+  /// pass through a third vertex are enough: as one changes, what is inside and reached only
+  /// changes there.)
+  std::optional<int> edge_order(int u, int v) const;
+  /// The order of any three vertices: other ones may lie in the triangle or on its sides. Empty if
+  /// they are collinear, or a constraint enters the interior of the triangle.
+  std::optional<int> open_triangle_order(const Triangle& t) const;
+
   /// A triangulation that contains the constraints and the edges: possible, none crossing another.
   Triangles some_triangulation(const std::vector<Edge>& with = {}) const;
   /// Calls visit(triangles, order) for every triangulation of all the points that contains the

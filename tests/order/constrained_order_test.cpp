@@ -259,26 +259,92 @@ void expect_edges(const Walled& walled) {
   }
 }
 
+template <class Orders>
+Orders up_to(Orders orders, int k) {
+  std::erase_if(orders, [&](const auto& each) { return each.second > k; });
+  return orders;
+}
+
+void expect_kod_edges(const Walled& walled) {
+  const int n = walled.constrained.instance().size();
+  EdgeOrders all;
+  for (const auto& [u, v] : edges_of(walled.possible))
+    all[{u, v}] = walled.constrained.edge_order(u, v).value();
+  for (const int k : {0, 1, 2, 3, 4, n})
+    ASSERT_EQ(edges_of_class(walled, EdgeClass::kod, Index(k)), up_to(all, k)) << "k " << k;
+  for (const auto& [e, order] : useful_by_catalogue(walled, n)) ASSERT_LE(all.at(e), order);
+}
+
+using TriangleOrders = std::map<std::array<int, 3>, int>;
+
+Triangle sorted(Triangle t) {
+  std::ranges::sort(t);
+  return t;
+}
+
+/// By the rows of the vertices.
+TriangleOrders triangles_of_class(const Walled& walled, TriangleClass triangle_class, Index k) {
+  TriangleOrders found;
+  for_each_triangle(walled.graph, triangle_class, k, own_numbering(walled.graph.xy.size()),
+                    [&](std::span<const TriangleRecord> piece) {
+                      for (const auto& [a, b, c, order] : piece) {
+                        const Triangle t{walled.row(a), walled.row(b), walled.row(c)};
+                        const bool is_new = found.emplace(sorted(t), order).second;
+                        EXPECT_TRUE(is_new) << "found twice";
+                      }
+                    });
+  return found;
+}
+
 void expect_valid_triangles(const Walled& walled) {
-  using Orders = std::map<std::array<int, 3>, int>;
-  const auto sorted = [](Triangle t) {
-    std::ranges::sort(t);
-    return t;
-  };
   for (const int k : {0, 1, 2, 3, 4, walled.constrained.instance().size()}) {
-    Orders expected, found;
+    TriangleOrders expected;
     for (int at = k; at >= 0; --at)
       for (const Triangle& t : walled.catalogue.valid_triangles(at)) expected[sorted(t)] = at;
-    for_each_triangle(walled.graph, TriangleClass::valid, Index(k),
-                      own_numbering(walled.graph.xy.size()),
-                      [&](std::span<const TriangleRecord> piece) {
-                        for (const auto& [a, b, c, order] : piece) {
-                          const Triangle t{walled.row(a), walled.row(b), walled.row(c)};
-                          const bool is_new = found.emplace(sorted(t), order).second;
-                          EXPECT_TRUE(is_new) << "found twice";
-                        }
-                      });
-    ASSERT_EQ(found, expected) << "k " << k;
+    ASSERT_EQ(triangles_of_class(walled, TriangleClass::valid, Index(k)), expected) << "k " << k;
+  }
+}
+
+void expect_kod_triangles(const Walled& walled) {
+  const int n = walled.constrained.instance().size();
+  TriangleOrders all;
+  for (int c = 0; c < n; ++c)
+    for (int b = 0; b < c; ++b)
+      for (int a = 0; a < b; ++a)
+        if (const auto order = walled.constrained.open_triangle_order({a, b, c});
+            order && walled.is_inside({a, b, c}))
+          all[{a, b, c}] = *order;
+  for (const int k : {0, 1, 2, 3, 4, n})
+    ASSERT_EQ(triangles_of_class(walled, TriangleClass::kod, Index(k)), up_to(all, k)) << "k " << k;
+}
+
+/// By the rows of the vertices the lists are the same, and sorted, also where several vertices have
+/// the same row.
+void expect_lists_by_rows(const Walled& walled) {
+  const auto numbering =
+      row_numbering(walled.delaunay.vertices, std::size_t(walled.constrained.instance().size()));
+  constexpr Index k = 2;
+  for (const EdgeClass edge_class :
+       {EdgeClass::useful, EdgeClass::kod, EdgeClass::fixed, EdgeClass::delaunay}) {
+    std::vector<std::pair<Edge, int>> found;
+    for_each_edge(walled.graph, edge_class, k, numbering, [&](std::span<const EdgeRecord> piece) {
+      for (const auto& [u, v, order] : piece)
+        found.push_back({{static_cast<int>(u), static_cast<int>(v)}, order});
+    });
+    const EdgeOrders expected = edges_of_class(walled, edge_class, k);
+    ASSERT_EQ(found, (std::vector<std::pair<Edge, int>>(expected.begin(), expected.end())));
+  }
+  for (const TriangleClass triangle_class : {TriangleClass::valid, TriangleClass::kod}) {
+    std::vector<std::pair<std::array<int, 3>, int>> found;
+    for_each_triangle(
+        walled.graph, triangle_class, k, numbering, [&](std::span<const TriangleRecord> piece) {
+          for (const auto& [a, b, c, order] : piece)
+            found.push_back({{static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)},
+                             static_cast<int>(order)});
+        });
+    const TriangleOrders expected = triangles_of_class(walled, triangle_class, k);
+    ASSERT_EQ(found,
+              (std::vector<std::pair<std::array<int, 3>, int>>(expected.begin(), expected.end())));
   }
 }
 
@@ -358,7 +424,8 @@ void expect_all(const Instance& instance, const std::vector<Edge>& edges,
                 const std::optional<Domain>& domain = std::nullopt) {
   if (domain && domain->inside.empty()) return;
   const Walled walled(instance, edges, domain);
-  for (const auto& expect : {expect_delaunay, expect_counts, expect_edges, expect_valid_triangles,
+  for (const auto& expect : {expect_delaunay, expect_counts, expect_edges, expect_kod_edges,
+                             expect_valid_triangles, expect_kod_triangles, expect_lists_by_rows,
                              expect_first_order, expect_histograms, expect_hulls}) {
     expect(walled);
     if (!testing::Test::HasFailure()) continue;

@@ -63,6 +63,8 @@ class DelaunayGraph {
   bool is_wall(VertexId a, VertexId b) const {
     return has_walls() && wall_ends_[a] > 0 && wall_ends_[b] > 0 && is_wall_at(a, b);
   }
+  /// Whether a wall ends at v, or the boundary passes.
+  bool ends_wall(VertexId v) const { return has_walls() && wall_ends_[v] > 0; }
   /// Whether walls part the triangles around v: if so, what is reached at v need not be all of
   /// them.
   bool is_parted(VertexId v) const { return has_walls() && wall_ends_[v] > 1; }

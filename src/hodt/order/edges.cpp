@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/base/stop.h"
+#include "hodt/order/constrained/sight_order.h"
+#include "hodt/order/constrained/sight_walk.h"
 #include "hodt/order/fixed_edges.h"
 #include "hodt/order/search/neighbourhood.h"
 #include "hodt/order/search/pencil.h"
@@ -29,23 +30,30 @@ void sort_by_end(std::span<EdgeRecord> records) {
   }
 }
 
+/// What finds k-OD edges where there are walls.
+struct Sight {
+  explicit Sight(const DelaunayGraph& graph) : walk(graph), order(graph) {}
+  SightWalk walk;
+  SightOrder order;
+};
+
 /// The edges of one class at one vertex after another.
 class EdgesAt {
  public:
   /// Without a numbering vertices go by their own ids, and the lexicographically smaller end has
   /// the edge.
   EdgesAt(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering* numbering,
-          const Buffer<bool>& fixed, UsefulEdgeSearch& useful)
+          const Buffer<bool>& fixed, UsefulEdgeSearch& useful, PerThread<Sight>& sights)
       : graph_(graph),
         class_(edge_class),
         k_(k),
         numbering_(numbering),
         fixed_(fixed),
-        useful_(useful) {}
+        useful_(useful),
+        sights_(sights) {}
 
-  /// Adds those from u to larger vertices, sorted.
+  /// Adds those from u to larger vertices.
   void add(VertexId u, std::vector<EdgeRecord>& records) {
-    const std::size_t before = records.size();
     const auto number = [&](VertexId v) { return numbering_ ? numbering_->number[v] : Index(v); };
     const auto is_larger = [&](VertexId v) {
       return numbering_ ? number(v) > number(u)
@@ -59,7 +67,12 @@ class EdgesAt {
         add_fixed(u, is_larger, record);
         break;
       case EdgeClass::kod:
-        add_kod(u, is_larger, record);
+        if (!graph_.has_walls()) {
+          add_kod(u, is_larger, record);
+          break;
+        }
+        add_kod_in_sight(u, is_larger, record);
+        add_delaunay(u, is_larger, record);
         break;
       case EdgeClass::useful:
         if (k_ == 1) {
@@ -71,12 +84,9 @@ class EdgesAt {
           record(edge.to, edge.order);
         [[fallthrough]];
       case EdgeClass::delaunay:
-        graph_.for_each_neighbour(u, [&](VertexId v) {
-          if (is_larger(v)) record(v, 0);
-        });
+        add_delaunay(u, is_larger, record);
         break;
     }
-    sort_by_end({records.begin() + std::ptrdiff_t(before), records.end()});
   }
 
  private:
@@ -90,6 +100,24 @@ class EdgesAt {
       const Index order = around.pencil().edge_order(i, k_);
       if (order <= k_) record(around.vertex(i), order);
     }
+  }
+
+  /// All but the Delaunay edges.
+  template <class IsLarger, class Record>
+  void add_kod_in_sight(VertexId u, const IsLarger& is_larger, const Record& record) {
+    Sight& sight = sights_.mine();
+    sight.walk.from(u, k_, numbering_ ? Towards::all : Towards::larger, [&](VertexId v) {
+      if (!is_larger(v)) return;
+      const Index order = sight.order(u, v, k_);
+      if (order <= k_) record(v, order);
+    });
+  }
+
+  template <class IsLarger, class Record>
+  void add_delaunay(VertexId u, const IsLarger& is_larger, const Record& record) {
+    graph_.for_each_neighbour(u, [&](VertexId v) {
+      if (is_larger(v)) record(v, 0);
+    });
   }
 
   /// The Delaunay edges, and the flips of those opposite that are not fixed (Corollary 3).
@@ -122,24 +150,33 @@ class EdgesAt {
   const Numbering* const numbering_;
   const Buffer<bool>& fixed_;
   UsefulEdgeSearch& useful_;
+  PerThread<Sight>& sights_;
 };
 
 using Sink = std::function<void(std::span<const EdgeRecord>)>;
 
 void stream(const DelaunayGraph& graph, EdgeClass edge_class, Index k, const Numbering* numbering,
             const Sink& sink, const Deadline& deadline) {
-  if (edge_class == EdgeClass::kod && graph.has_walls())
-    throw ParameterError(
-        "k-OD edges are not found with constraints; useful, fixed and Delaunay edges are");
   const bool asks_fixed =
       edge_class == EdgeClass::fixed || (edge_class == EdgeClass::useful && k == 1);
   const Buffer<bool> fixed = asks_fixed ? fixed_edges(graph, k, deadline) : Buffer<bool>();
   UsefulEdgeSearches searches(graph, k, deadline);
+  PerThread<Sight> sights([&] {
+    Sight sight(graph);
+    sight.walk.end_at(deadline);
+    return sight;
+  });
   constexpr std::size_t kBatch = 1 << 15, kPiece = 1 << 9;
   const auto add = [&](std::size_t first, std::size_t last, std::vector<EdgeRecord>& records) {
-    EdgesAt edges(graph, edge_class, k, numbering, fixed, searches.mine());
-    for (std::size_t i = first; i < last; ++i)
-      edges.add(numbering ? numbering->ascending[i] : VertexId(Index(i)), records);
+    EdgesAt edges(graph, edge_class, k, numbering, fixed, searches.mine(), sights);
+    for (std::size_t i = first; i < last; ++i) {
+      const std::size_t before = records.size();
+      if (numbering)
+        for (const VertexId u : numbering->beginning_at(i)) edges.add(u, records);
+      else
+        edges.add(VertexId(Index(i)), records);
+      sort_by_end({records.begin() + std::ptrdiff_t(before), records.end()});
+    }
   };
   parallel_stream<EdgeRecord>(0, graph.xy.size(), kBatch, kPiece, add, sink);
 }

@@ -12,7 +12,8 @@ namespace hodt {
 
 enum class EdgeClass {
   useful,    ///< in some triangulation of order k; by useful order
-  kod,       ///< with a circle through its ends that holds at most k points; by the fewest
+  kod,       ///< with a circle through its ends that holds at most k points; by the fewest. With
+             ///< walls: that holds at most k points which are reached from the edge
   fixed,     ///< useful, and crossed by no other useful edge: in every triangulation of order k;
              ///< all of useful order 0
   delaunay,  ///< useful order 0, whatever k is
@@ -29,8 +30,7 @@ struct EdgeRecord {
 /// empty. Vertices go by their ids, u is lexicographically smaller than v, and the edges come
 /// sorted by u and then v. Memory does not grow with their number (but for `fixed`: a byte a
 /// half-edge). The same pieces on any number of threads. Of a graph with listed neighbours it is
-/// faster. Throws TimeIsUp if the deadline passes, and ParameterError for k-OD edges of a graph
-/// with walls.
+/// faster. Throws TimeIsUp if the deadline passes.
 void for_each_edge(const DelaunayGraph& graph, EdgeClass edge_class, Index k,
                    const std::function<void(std::span<const EdgeRecord>)>& sink,
                    const Deadline& deadline = {});

@@ -1,14 +1,15 @@
 #include "hodt/order/triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <vector>
 
-#include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/geometry/predicates.h"
 #include "hodt/order/circle_counter.h"
-#include "hodt/order/edges.h"
+#include "hodt/order/edge_lists.h"
+#include "hodt/order/open_triangles.h"
 #include "hodt/order/search/neighbourhood.h"
 #include "hodt/order/search/pencil.h"
 
@@ -17,6 +18,7 @@ namespace hodt {
 namespace {
 
 using Sink = std::function<void(std::span<const TriangleRecord>)>;
+using Corners = std::array<VertexId, 3>;
 
 bool is_less(const TriangleRecord& s, const TriangleRecord& t) {
   return std::tie(s.a, s.b, s.c) < std::tie(t.a, t.b, t.c);
@@ -56,90 +58,46 @@ void for_each_kod_triangle(const DelaunayGraph& graph, Index k, const Numbering&
          });
 }
 
-/// All useful edges, to both ends: lists of (other end, order), by the numbers of the vertices.
-struct UsefulLists {
-  struct End {
-    Index to, order;
-  };
-  std::vector<std::size_t> first;
-  std::vector<End> ends;
-
-  std::span<const End> of(Index place) const {
-    return {ends.data() + first[place], ends.data() + first[place + 1]};
-  }
-};
-
-/// Lists by a vertex's place among the numbers; each list sorted.
-UsefulLists useful_lists(const DelaunayGraph& graph, Index k, const Numbering& numbering,
-                         const std::vector<Index>& place_of_number, const Deadline& deadline) {
-  std::vector<EdgeRecord> edges;
-  const auto add = [&](std::span<const EdgeRecord> piece) {
-    for (const auto& [u, v, order] : piece)
-      edges.push_back({numbering.number[VertexId(u)], numbering.number[VertexId(v)], order});
-  };
-  for_each_edge(graph, EdgeClass::useful, k, add, deadline);
-  UsefulLists lists;
-  lists.first.assign(graph.xy.size() + 1, 0);
-  for (const EdgeRecord& e : edges) {
-    ++lists.first[place_of_number[e.u] + 1];
-    ++lists.first[place_of_number[e.v] + 1];
-  }
-  for (std::size_t i = 1; i < lists.first.size(); ++i) lists.first[i] += lists.first[i - 1];
-  lists.ends.resize(lists.first.back());
-  std::vector<std::size_t> next(lists.first.begin(), lists.first.end() - 1);
-  for (const EdgeRecord& e : edges) lists.ends[next[place_of_number[e.v]]++] = {e.u, e.order};
-  for (const EdgeRecord& e : edges) lists.ends[next[place_of_number[e.u]]++] = {e.v, e.order};
-  parallel_for(0, graph.xy.size(), 1 << 10, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      std::sort(lists.ends.begin() + std::ptrdiff_t(lists.first[i]),
-                lists.ends.begin() + std::ptrdiff_t(lists.first[i + 1]),
-                [](const auto& a, const auto& b) { return a.to < b.to; });
-  });
-  return lists;
-}
-
-/// Valid triangles: three useful edges, and of what their circle holds nothing in the triangle.
-class ValidTriangles {
+/// Triangles with three sides of a list, as far as judge(counter, corners) has an order for them:
+/// `corners` are counter-clockwise.
+template <class Judge>
+class TrianglesOfSides {
  public:
-  ValidTriangles(const DelaunayGraph& graph, Index k, const Numbering& numbering,
-                 const Deadline& deadline)
+  TrianglesOfSides(const DelaunayGraph& graph, std::span<const EdgeRecord> sides, Index k,
+                   const Numbering& numbering, const Deadline& deadline, const Judge& judge)
       : graph_(graph),
         k_(k),
         numbering_(numbering),
         deadline_(deadline),
-        place_of_number_(places(numbering)),
-        lists_(useful_lists(graph, k, numbering, place_of_number_, deadline)) {}
+        lists_(sides, numbering),
+        judge_(judge) {}
 
-  void add(CircleCounter& counter, std::size_t place, std::vector<TriangleRecord>& records) const {
-    const VertexId u = numbering_.ascending[place];
-    const Index a = numbering_.number[u];
-    const auto from_u = lists_.of(Index(place));
-    for (const auto& [b, order_ab] : above(a, from_u)) {
+  /// Adds those whose first corner is at this place of the ascending numbers.
+  void add(CircleCounter& counter, Index a, std::vector<TriangleRecord>& records) const {
+    const Ends from_a = lists_.of(a);
+    for (const auto& [to, order_ab] : above(a, from_a)) {
       deadline_.check();
-      const VertexId v = vertex(b);
-      const Index least = order_ab;  // a structured binding is not to be captured
-      for_each_in_both(above(b, from_u), above(b, lists_.of(place_of_number_[b])),
-                       [&](Index c, Index order_ac, Index order_bc) {
-                         const Index inside = order_if_empty(counter, u, v, vertex(c));
-                         if (inside <= k_)
-                           records.push_back({a, numbering_.number[v], c,
-                                              std::max({inside, least, order_bc, order_ac})});
-                       });
+      const Index b = to, least = order_ab;  // a structured binding is not to be captured
+      for_each_in_both(
+          above(b, from_a), above(b, lists_.of(b)), [&](Index c, Index order_ac, Index order_bc) {
+            const Index order = order_of(counter, a, b, c, std::max({least, order_ac, order_bc}));
+            if (order <= k_) records.push_back({number(a), number(b), number(c), order});
+          });
     }
   }
 
  private:
-  using Ends = std::span<const UsefulLists::End>;
+  using End = EdgeLists::End;
+  using Ends = std::span<const End>;
 
-  static Ends::iterator first_from(Index number, Ends::iterator begin, Ends::iterator end) {
-    return std::lower_bound(begin, end, number,
-                            [](const UsefulLists::End& e, Index n) { return e.to < n; });
+  static Ends::iterator first_from(Index place, Ends::iterator begin, Ends::iterator end) {
+    return std::lower_bound(begin, end, place, [](const End& e, Index at) { return e.to < at; });
   }
-  static Ends above(Index number, const Ends& ends) {
-    return {first_from(number + 1, ends.begin(), ends.end()), ends.end()};
+  static Ends above(Index place, const Ends& ends) {
+    return {first_from(place + 1, ends.begin(), ends.end()), ends.end()};
   }
 
-  /// Calls f(number, order in the one list, order in the other), ascending. Where one list is far
+  /// Calls f(place, order in the one list, order in the other), ascending. Where one list is far
   /// longer than the other, as a hub's is, it is not gone through.
   template <class F>
   static void for_each_in_both(const Ends& ends, const Ends& others, const F& f) {
@@ -161,61 +119,89 @@ class ValidTriangles {
     }
   }
 
-  static std::vector<Index> places(const Numbering& numbering) {
-    std::vector<Index> places(
-        numbering.ascending.empty() ? 0 : numbering.number[*(numbering.ascending.end() - 1)] + 1,
-        kNone);
-    for (Index i = 0; i < numbering.ascending.size(); ++i)
-      places[numbering.number[numbering.ascending[i]]] = i;
-    return places;
-  }
-  VertexId vertex(Index number) const { return numbering_.ascending[place_of_number_[number]]; }
+  VertexId vertex(Index place) const { return numbering_.ascending[place]; }
+  Index number(Index place) const { return numbering_.number[vertex(place)]; }
 
-  /// The number of points inside the circle; more than k also if one of them is in the triangle, or
-  /// if there is no triangle. (Points on a side would be between the ends of a useful edge.)
-  Index order_if_empty(CircleCounter& counter, VertexId u, VertexId v, VertexId w) const {
+  Index order_of(CircleCounter& counter, Index a, Index b, Index c, Index of_sides) const {
+    const VertexId u = vertex(a), v = vertex(b), w = vertex(c);
     const int turn = orient(graph_.point(u), graph_.point(v), graph_.point(w));
-    if (turn == 0) return k_ + 1;
-    if (turn < 0) std::swap(v, w);
-    const Index inside = counter.count(u, v, w, k_);
-    if (inside > k_) return inside;
-    const Point &a = graph_.point(u), &b = graph_.point(v), &c = graph_.point(w);
-    for (const VertexId p : counter.inside()) {
-      const Point& q = graph_.point(p);
-      if (orient(a, b, q) > 0 && orient(b, c, q) > 0 && orient(c, a, q) > 0) return k_ + 1;
-    }
-    return inside;
+    if (turn == 0) return kNone;
+    return judge_(counter, turn > 0 ? Corners{u, v, w} : Corners{u, w, v}, of_sides);
   }
 
   const DelaunayGraph& graph_;
   const Index k_;
   const Numbering& numbering_;
   const Deadline deadline_;
-  const std::vector<Index> place_of_number_;
-  const UsefulLists lists_;
+  const EdgeLists lists_;
+  const Judge judge_;
 };
 
-void for_each_valid_triangle(const DelaunayGraph& graph, Index k, const Numbering& numbering,
-                             const Sink& sink, const Deadline& deadline) {
-  const ValidTriangles triangles(graph, k, numbering, deadline);
+template <class Judge>
+void for_each_triangle_of_sides(const DelaunayGraph& graph, std::span<const EdgeRecord> sides,
+                                Index k, const Numbering& numbering, const Sink& sink,
+                                const Deadline& deadline, const Judge& judge) {
+  const TrianglesOfSides<Judge> triangles(graph, sides, k, numbering, deadline, judge);
   PerThread<CircleCounter> counters([&] { return CircleCounter(graph); });
   stream(graph.xy.size(), sink,
          [&](std::size_t first, std::size_t last, std::vector<TriangleRecord>& records) {
            CircleCounter& counter = counters.mine();
-           for (std::size_t i = first; i < last; ++i) triangles.add(counter, i, records);
+           for (std::size_t i = first; i < last; ++i) {
+             const std::size_t vertices = numbering.beginning_at(i).size();
+             const std::size_t before = records.size();
+             for (std::size_t j = 0; j < vertices; ++j)
+               triangles.add(counter, static_cast<Index>(i + j), records);
+             if (vertices > 1)
+               std::sort(records.begin() + std::ptrdiff_t(before), records.end(), is_less);
+           }
          });
+}
+
+/// The number of points inside the circle; more than k also if one of them is in the triangle.
+/// (Points on a side would be between the ends of a useful edge.)
+Index order_if_empty(CircleCounter& counter, const DelaunayGraph& graph, const Corners& corners,
+                     Index k) {
+  const Index inside = counter.count(corners[0], corners[1], corners[2], k);
+  if (inside > k) return inside;
+  const Point &a = graph.point(corners[0]), &b = graph.point(corners[1]),
+              &c = graph.point(corners[2]);
+  for (const VertexId p : counter.inside()) {
+    const Point& q = graph.point(p);
+    if (orient(a, b, q) > 0 && orient(b, c, q) > 0 && orient(c, a, q) > 0) return k + 1;
+  }
+  return inside;
+}
+
+/// Three useful edges, and nothing in the triangle.
+void for_each_valid_triangle(const DelaunayGraph& graph, Index k, const Numbering& numbering,
+                             const Sink& sink, const Deadline& deadline) {
+  const auto judge = [&](CircleCounter& counter, const Corners& corners, Index of_sides) {
+    return std::max(order_if_empty(counter, graph, corners, k), of_sides);
+  };
+  for_each_triangle_of_sides(graph, all_edges(graph, EdgeClass::useful, k, deadline), k, numbering,
+                             sink, deadline, judge);
+}
+
+void for_each_kod_triangle_among_walls(const DelaunayGraph& graph, Index k,
+                                       const Numbering& numbering, const Sink& sink,
+                                       const Deadline& deadline) {
+  const auto judge = [&](CircleCounter& counter, const Corners& corners, Index) {
+    return order_if_open(counter, graph, corners, k);
+  };
+  for_each_triangle_of_sides(graph, sides_of_open_triangles(graph, k, numbering, deadline), k,
+                             numbering, sink, deadline, judge);
 }
 
 }  // namespace
 
 void for_each_triangle(const DelaunayGraph& graph, TriangleClass triangle_class, Index k,
                        const Numbering& numbering, const Sink& sink, const Deadline& deadline) {
-  if (triangle_class == TriangleClass::kod && graph.has_walls())
-    throw ParameterError("k-OD triangles are not found with constraints; valid ones are");
-  if (triangle_class == TriangleClass::kod)
-    for_each_kod_triangle(graph, k, numbering, sink, deadline);
-  else
+  if (triangle_class == TriangleClass::valid)
     for_each_valid_triangle(graph, k, numbering, sink, deadline);
+  else if (graph.has_walls())
+    for_each_kod_triangle_among_walls(graph, k, numbering, sink, deadline);
+  else
+    for_each_kod_triangle(graph, k, numbering, sink, deadline);
 }
 
 }  // namespace hodt

@@ -12,7 +12,9 @@ namespace hodt {
 
 enum class TriangleClass {
   /// Any three points, not on a line, with at most k points inside their circle; other points may
-  /// lie in the triangle or on its sides. By the number inside.
+  /// lie in the triangle or on its sides. By the number inside. With walls: that no wall enters,
+  /// and
+  /// what is reached from the triangle counts.
   kod,
   /// Of these, the ones with no point in them nor on their boundary and three useful edges: those
   /// that a triangulation of order k can contain. By the larger of the number inside and the edges'
@@ -29,7 +31,8 @@ struct TriangleRecord {
 
 /// Passes all triangles of the class and of order at most k to the sink, in pieces, sorted by a, b
 /// and c; a piece can be empty. Memory does not grow with their number (but for `valid`: all useful
-/// edges). The same pieces on any number of threads. Throws TimeIsUp if the deadline passes.
+/// edges; and with walls all k-OD edges). The same pieces on any number of threads. Throws TimeIsUp
+/// if the deadline passes.
 void for_each_triangle(const DelaunayGraph& graph, TriangleClass triangle_class, Index k,
                        const Numbering& numbering,
                        const std::function<void(std::span<const TriangleRecord>)>& sink,
