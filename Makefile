@@ -33,7 +33,7 @@ build:
 test:
 	@scripts/dependencies.sh test
 	@scripts/python_venv.sh
-	cmake --preset release -DHODT_BUILD_TESTS=ON -DHODT_BUILD_PYTHON=AUTO
+	cmake --preset release -DHODT_BUILD_TESTS=ON -DHODT_BUILD_PYTHON=AUTO -DHODT_PRECOMPILE=ON
 	cmake --build --preset release
 	ctest --test-dir build/release --output-on-failure -j2
 
