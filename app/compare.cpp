@@ -7,11 +7,13 @@
 #include "app/comparison.h"
 #include "app/comparison_page.h"
 #include "app/comparison_table.h"
+#include "app/constraints_input.h"
 #include "app/duplicates_text.h"
 #include "app/keep.h"
 #include "app/layer_file.h"
 #include "app/outputs.h"
 #include "app/points_input.h"
+#include "app/source.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -40,6 +42,7 @@ struct Arguments {
   std::string truth;
   std::string truth_columns;
   KeepArguments keep;
+  ConstraintArguments constraints;
   std::string time_limit;
   std::string threads;
   std::string output;
@@ -78,8 +81,8 @@ std::vector<Index> parse_orders(const std::string& text) {
 }
 
 struct Choice {
-  Objective objective;
-  bool by_all = false;  ///< left out where the points have no heights
+  std::vector<Objective> objectives;  ///< one, or several in order
+  bool by_all = false;                ///< left out where the points have no heights
 };
 
 std::vector<Choice> parse_objectives(std::vector<std::string> names) {
@@ -88,34 +91,32 @@ std::vector<Choice> parse_objectives(std::vector<std::string> names) {
   for (const std::string& name : names) {
     if (name == "all") {
       for (const std::string_view each : kAllObjectives)
-        choices.push_back({objective_from_name(each), true});
+        choices.push_back({{objective_from_name(each)}, true});
       continue;
     }
-    const Objective objective = objective_from_name(name);
-    if (objective == Objective::none)
-      throw ParameterError("the objective none has nothing to compare; name another, or all");
-    choices.push_back({objective, false});
+    choices.push_back({compared_objectives(name), false});
   }
   return choices;
 }
 
 /// Each once. Of those that need heights and cannot have them, the ones asked for by name are
 /// refused.
-std::vector<Objective> usable(const std::vector<Choice>& choices, const PointSet& points,
-                              const std::string& input) {
-  std::vector<Objective> objectives;
-  for (const auto& [objective, by_all] : choices) {
-    if (needs_heights(objective) && !points.has_heights()) {
+std::vector<std::vector<Objective>> usable(const std::vector<Choice>& choices,
+                                           const PointSet& points, const std::string& input) {
+  std::vector<std::vector<Objective>> usable;
+  for (const auto& [objectives, by_all] : choices) {
+    const auto high = std::find_if(objectives.begin(), objectives.end(), needs_heights);
+    if (high != objectives.end() && !points.has_heights()) {
       if (by_all) continue;
       throw ParameterError(fmt::format(
           "{}: the objective {} needs heights, and the points have none; add a z column or choose "
           "another, like min-max-angle",
-          display_name(input), name_of(objective)));
+          display_name(input), name_of(*high)));
     }
-    if (std::find(objectives.begin(), objectives.end(), objective) == objectives.end())
-      objectives.push_back(objective);
+    if (std::find(usable.begin(), usable.end(), objectives) == usable.end())
+      usable.push_back(objectives);
   }
-  return objectives;
+  return usable;
 }
 
 void check_files(const Arguments& arguments) {
@@ -132,6 +133,8 @@ void check_files(const Arguments& arguments) {
   if (arguments.truth == "-" && arguments.keep.places == "-")
     throw ParameterError("--truth and --keep cannot both be standard input");
   check_targets(layer_file(arguments.keep.places).file, arguments.output, arguments.json);
+  check_constraints(arguments.constraints, arguments.input.name(), arguments.output,
+                    arguments.json);
 }
 
 /// What is to be kept, if an objective counts minima.
@@ -141,9 +144,15 @@ void read_keep(const Arguments& arguments, const std::vector<Choice>& choices,
   read_keep(arguments.keep, arguments.input, keep);
   if (arguments.keep.any() &&
       std::none_of(choices.begin(), choices.end(),
-                   [](const Choice& choice) { return counts_minima(choice.objective); }))
+                   [](const Choice& choice) { return counts_minima(choice.objectives.front()); }))
     throw ParameterError(
         "minima to keep are for objectives that remove minima; name one, like min-local-minima");
+  for (const Choice& choice : choices)
+    if (arguments.keep.any() && !counts_minima(choice.objectives.front()) &&
+        std::any_of(choice.objectives.begin(), choice.objectives.end(), counts_minima))
+      throw ParameterError(
+          "minima to keep are for the first of objectives in order; let one that removes minima be "
+          "the first");
   options.min_pit_depth = keep.min_pit_depth;
   options.keep = std::move(keep.keep);
 }
@@ -170,12 +179,30 @@ Json pits_json(const std::optional<PitTotals>& pits) {
           {"volume", to_json(pits->volume)}};
 }
 
-Json row_json(const ComparisonRow& row) {
+/// Of the objectives that are not the first.
+Json then_json(const ObjectiveComparison& objective, std::size_t order) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
+    const ComparisonRow row = objective.by_later(i).rows[order];
+    list.push_back({{"objective", name_of(objective.objectives[i + 1])},
+                    {"value", to_json(row.value.result)},
+                    {"bound", to_json(row.value.bound)},
+                    {"optimal", row.value.optimal},
+                    {"bound_in_order", objective.rows[order].then[i].is_bound_in_order},
+                    {"gap", optional_json(row.gap())},
+                    {"change_percent", optional_json(row.change())}});
+  }
+  return list;
+}
+
+Json row_json(const ObjectiveComparison& objective, std::size_t order) {
+  const ComparisonRow& row = objective.rows[order];
   const std::optional<Fit>& fit = row.fit;
   return {{"k", row.k},
           {"value", to_json(row.value.result)},
           {"bound", to_json(row.value.bound)},
           {"optimal", row.value.optimal},
+          {"then", then_json(objective, order)},
           {"mean_angle", optional_json(row.mean_angle)},
           {"gap", optional_json(row.gap())},
           {"change_percent", optional_json(row.change())},
@@ -198,24 +225,46 @@ Json truth_json(const Comparison& comparison) {
       {"delaunay_max_error", truth.delaunay ? to_json(truth.delaunay->max_error) : Json(nullptr)}};
 }
 
-Json comparison_json(const Comparison& comparison, const InputPoints& read) {
+/// A mesh that was to be improved.
+Json given_json(const Comparison& comparison, const Source& source) {
+  if (!source.is_tin) return nullptr;
+  return {{"order", comparison.given_order ? Json(*comparison.given_order) : Json(nullptr)},
+          {"unused_vertices", source.unused_vertices}};
+}
+
+/// The values of the objectives that such a mesh has; null if there is none.
+Json given_json(const ObjectiveComparison& objective) {
+  if (objective.given.empty()) return nullptr;
+  Json values = Json::array();
+  for (const double value : objective.given) values.push_back(to_json(value));
+  return values;
+}
+
+Json comparison_json(const Comparison& comparison, const Source& source, const Json& constraints) {
+  const InputPoints& read = source.input;
   Json objectives = Json::array();
   for (const ObjectiveComparison& objective : comparison.objectives) {
-    Json rows = Json::array();
-    for (const ComparisonRow& row : objective.rows) rows.push_back(row_json(row));
+    Json rows = Json::array(), then = Json::array();
+    for (std::size_t i = 0; i < objective.rows.size(); ++i) rows.push_back(row_json(objective, i));
+    for (std::size_t i = 1; i < objective.objectives.size(); ++i)
+      then.push_back(name_of(objective.objectives[i]));
     objectives.push_back(
-        {{"objective", name_of(objective.objective)},
+        {{"objective", name_of(objective.objective())},
+         {"then", std::move(then)},
+         {"input", given_json(objective)},
          {"unchanged",
           objective.why_unchanged.empty() ? Json(nullptr) : Json(objective.why_unchanged)},
          {"rows", std::move(rows)}});
   }
   return {{"points", comparison.points},
-          {"files", read.files.size()},
+          {"files", std::max<std::size_t>(1, read.files.size())},
           {"columns", columns_json(read)},
           {"crs", crs_json(read.crs)},
+          {"input", given_json(comparison, source)},
           {"duplicates", comparison.duplicates},
           {"duplicate_rule", name_of(read.rule)},
           {"duplicate_heights", heights_json(comparison.duplicate_heights)},
+          {"constraints", constraints},
           {"kept", comparison.kept ? Json(*comparison.kept) : Json(nullptr)},
           {"polygons_without_points", comparison.empty_polygons},
           {"delaunay_pits", pits_json(comparison.delaunay_pits)},
@@ -224,23 +273,43 @@ Json comparison_json(const Comparison& comparison, const InputPoints& read) {
           {"objectives", std::move(objectives)}};
 }
 
+std::string tables_text(const Comparison& comparison, const ObjectiveComparison& objective) {
+  std::string text = fmt::format("\n{}{}\n{}", objective.title(), given_text(objective),
+                                 aligned(table_of(comparison, objective)));
+  for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
+    const ObjectiveComparison later = objective.by_later(i);
+    text += fmt::format("then {}{}\n{}", later.title(), given_text(later),
+                        aligned(later_table(objective, i)));
+  }
+  return text;
+}
+
+/// The lines of a summary as one, without the name before them.
+std::string as_one_line(const std::string& lines) {
+  std::string text;
+  for (std::string line : CLI::detail::split(lines, '\n')) {
+    if (text.empty()) line = line.substr(std::min(line.size(), line.find(' ')));
+    CLI::detail::trim(line);
+    if (!line.empty()) text += (text.empty() ? "" : "; ") + line;
+  }
+  return text;
+}
+
 std::string summary(const Comparison& comparison, const InputPoints& read,
-                    const std::string& output) {
+                    const std::string& constraints, const std::string& output) {
   std::string text;
   for (const Fact& fact : facts_of(comparison))
     text += fmt::format("{:<9} {}\n", fact.name, fact.text);
-  text += inputs_text(read, 9);
+  text += inputs_text(read, 9) + constraints;
   if (!output.empty()) text += fmt::format("{:<9} {}\n", "written", shown(output));
   const bool many = comparison.objectives.size() > 1;
   if (many) text += "\n" + aligned(summary_table(comparison));
   for (const ObjectiveComparison& objective : comparison.objectives)
-    if (!many || objective.why_unchanged.empty())
-      text += fmt::format("\n{}\n{}", name_of(objective.objective),
-                          aligned(table_of(comparison, objective)));
+    if (!many || objective.why_unchanged.empty()) text += tables_text(comparison, objective);
   for (const ObjectiveComparison& objective : comparison.objectives)
     if (!objective.why_unchanged.empty())
-      text += fmt::format("\n{}: 0 % at every order. {}\n", name_of(objective.objective),
-                          objective.why_unchanged);
+      text +=
+          fmt::format("\n{}: 0 % at every order. {}\n", objective.title(), objective.why_unchanged);
   return text;
 }
 
@@ -258,13 +327,19 @@ int run(const Arguments& arguments) {
 
   Comparison comparison;
   const std::string input = arguments.input.name();
-  InputPoints read;
+  Source source;
+  std::string constraints_lines;
+  Json constraints;
   {
     TerminalProgress progress;
     progress.report("reading");
-    read = read_input_points(arguments.input);
-    const PointSet& points = read.points;
+    source = read_source(arguments.input);
+    const InputPoints& read = source.input;
     require_same_crs(input, read.crs, options.keep.source, options.keep.crs);
+    Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
+                                     source.numbers);
+    if (source.is_tin) add_given(source.constraints, input, joined);
+    const PointSet& points = joined.points;
     options.objectives = usable(choices, points, input);
     std::optional<PointTable> truth;
     if (!arguments.truth.empty()) {
@@ -277,17 +352,23 @@ int run(const Arguments& arguments) {
       require_same_crs(input, read.crs, arguments.truth, truth->points.crs);
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
-    comparison =
-        naming(input, [&] { return compare(points, truth ? &truth->points : nullptr, options); });
+    naming_lines(input, joined, [&] {
+      comparison = compare(points, truth ? &truth->points : nullptr, options, joined.constraints);
+    });
+    if (arguments.constraints.any()) {
+      constraints_lines = constraints_text(joined.report, comparison.constraints, 11);
+      constraints = constraints_json(joined.report, comparison.constraints);
+    }
     if (read.duplicates) comparison.duplicate_heights = read.duplicates;
     print_warnings(read);
     if (truth) print_warnings(arguments.truth, *truth);
   }
   Outputs outputs;
   if (!arguments.output.empty())
-    outputs.open(arguments.output).write(comparison_page(comparison, input));
-  outputs.write_json(comparison_json(comparison, read), arguments.json);
-  outputs.commit(summary(comparison, read, arguments.output));
+    outputs.open(arguments.output)
+        .write(comparison_page(comparison, input, as_one_line(constraints_lines)));
+  outputs.write_json(comparison_json(comparison, source, constraints), arguments.json);
+  outputs.commit(summary(comparison, source.input, constraints_lines, arguments.output));
   return kOk;
 }
 
@@ -311,7 +392,8 @@ void add_compare(CLI::App& app, Action& action) {
   command
       .add_option("--objective", arguments->objectives,
                   "What to optimise; several with commas between, or all\n"
-                  "(default: min-local-minima)")
+                  "(default: min-local-minima). Of A+B then B among the triangulations that are\n"
+                  "as good for A, as triangulate has it with a comma")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("OBJ");
@@ -322,6 +404,7 @@ void add_compare(CLI::App& app, Action& action) {
   add_columns(command, "--truth-columns", arguments->truth_columns,
               "Columns of the truth that hold x, y and z, as in --columns");
   add_keep(command, arguments->keep);
+  add_constraints(command, arguments->constraints);
   command
       .add_option("--time-limit", arguments->time_limit,
                   "Seconds that each search may take (default: 0, no limit)")
@@ -338,6 +421,9 @@ void add_compare(CLI::App& app, Action& action) {
       "Examples:\n"
       "  hodt compare terrain.csv\n"
       "  hodt compare terrain.csv --orders 0-4,8,16 --objective min-max-angle,min-sum-length\n"
+      "  hodt compare terrain.csv --objective min-local-minima+min-sum-abn,min-sum-abn\n"
+      "  hodt compare survey.csv --breaklines roads.geojson --outline site.geojson\n"
+      "  hodt compare mesh.obj --objective min-max-angle\n"
       "  hodt compare sample.csv --objective all --truth withheld.csv -o report.html");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }

@@ -10,6 +10,8 @@
 #include "app/unchanged.h"
 #include <fmt/format.h>
 
+#include "hodt/base/error.h"
+#include "hodt/optimize/value_of.h"
 #include "hodt/tin/interpolate.h"
 #include "hodt/tin/quality.h"
 
@@ -62,13 +64,16 @@ class Errors {
 
 class Comparer {
  public:
-  Comparer(const PointSet& points, const PointSet* truth, const ComparisonOptions& options)
-      : points_(points), truth_(truth), options_(options) {}
+  Comparer(const PointSet& points, const PointSet* truth, const ComparisonOptions& options,
+           const Constraints& constraints)
+      : points_(points), truth_(truth), options_(options), constraints_(constraints) {}
 
   Comparison run() const {
-    Prepared prepared = prepare(points_, {.min_pit_depth = options_.min_pit_depth,
-                                          .keep = options_.keep,
-                                          .progress = options_.progress});
+    Prepared prepared = prepare(points_,
+                                {.min_pit_depth = options_.min_pit_depth,
+                                 .keep = options_.keep,
+                                 .progress = options_.progress},
+                                constraints_);
     prepared.report.seconds = {};  // of each row its own
 
     Comparison comparison;
@@ -77,12 +82,14 @@ class Comparer {
     comparison.duplicate_heights = prepared.report.duplicate_heights;
     comparison.empty_polygons = prepared.keep.empty_polygons;
     if (!prepared.keep.is_kept.empty()) comparison.kept = prepared.keep.count;
+    comparison.constraints = prepared.report.constraints;
+    if (prepared.report.given) comparison.given_order = prepared.report.given->order;
     comparison.orders = options_.orders;
-    const TriangulateResult delaunay = triangulated(prepared, Objective::none, 0);
+    const TriangulateResult delaunay = triangulated(prepared, {Objective::none}, 0);
     comparison.delaunay_pits = delaunay.report.pits;
     if (truth_) comparison.truth = truth_summary(delaunay.tin);
-    for (const Objective& objective : options_.objectives) {
-      ObjectiveComparison rows = compared(prepared, objective);
+    for (const std::vector<Objective>& objectives : options_.objectives) {
+      ObjectiveComparison rows = compared(prepared, objectives);
       rows.why_unchanged = why_unchanged(rows, prepared.delaunay);
       comparison.objectives.push_back(std::move(rows));
     }
@@ -95,22 +102,31 @@ class Comparer {
     return {truth_->size(), truth_->size() - errors.count(), errors.fit()};
   }
 
-  ObjectiveComparison compared(const Prepared& prepared, const Objective& objective) const {
-    ObjectiveComparison comparison{objective, {}};
-    for (const Index k : options_.orders)
-      comparison.rows.push_back(row(triangulated(prepared, objective, k)));
+  ObjectiveComparison compared(const Prepared& prepared,
+                               const std::vector<Objective>& objectives) const {
+    ObjectiveComparison comparison{objectives, {}};
+    for (const Index k : options_.orders) {
+      const TriangulateResult result = triangulated(prepared, objectives, k);
+      comparison.rows.push_back(row(result));
+      if (const auto& given = result.report.given) {
+        comparison.given = given->then;
+        comparison.given.insert(comparison.given.begin(), given->value);
+      }
+    }
     return comparison;
   }
 
-  TriangulateResult triangulated(const Prepared& prepared, const Objective& objective,
+  TriangulateResult triangulated(const Prepared& prepared, const std::vector<Objective>& objectives,
                                  Index k) const {
     TriangulateOptions options;
     options.order = k;
-    options.objective = objective;
+    options.objective = objectives.front();
+    options.then.assign(objectives.begin() + 1, objectives.end());
     options.time_limit = options_.time_limit;
     options.measure_pits = true;
     if (options_.progress) {
-      options.progress = [&, name = name_of(objective), k](std::string_view phase, double done) {
+      options.progress = [&, name = name_of(options.objective), k](std::string_view phase,
+                                                                   double done) {
         options_.progress(fmt::format("{}, k = {}, {}", name, k, phase), done);
       };
     }
@@ -122,6 +138,7 @@ class Comparer {
     ComparisonRow row;
     row.k = report.k;
     row.value = *report.value;
+    row.then = report.then;
     if (const auto count = angles_in_sum(report)) row.mean_angle = row.value.result / *count;
     row.order = report.order;
     row.smallest_angle = smallest_angle(result.tin);
@@ -135,7 +152,19 @@ class Comparer {
   const PointSet& points_;
   const PointSet* truth_;
   const ComparisonOptions& options_;
+  const Constraints& constraints_;
 };
+
+/// By the first of the objectives that tells them apart.
+bool is_better_row(const std::vector<Objective>& objectives, const ComparisonRow& row,
+                   const ComparisonRow& than) {
+  if (row.value.result != than.value.result)
+    return is_better(objectives.front(), row.value.result, than.value.result);
+  for (std::size_t i = 0; i < row.then.size(); ++i)
+    if (const double value = row.then[i].value.result; value != than.then[i].value.result)
+      return is_better(objectives[i + 1], value, than.then[i].value.result);
+  return false;
+}
 
 }  // namespace
 
@@ -148,17 +177,41 @@ std::optional<double> ComparisonRow::change() const {
   return percent(value.result - value.delaunay, value.delaunay);
 }
 
+std::string ObjectiveComparison::title() const {
+  std::string title;
+  for (const Objective& objective : objectives)
+    title += (title.empty() ? "" : ", then ") + name_of(objective);
+  return title;
+}
+
 const ComparisonRow& ObjectiveComparison::best() const {
-  const bool maximizes =
-      objective.kind == Objective::measured && objective.direction == Direction::maximize;
   return *std::min_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
-    return maximizes ? a.value.result > b.value.result : a.value.result < b.value.result;
+    return is_better_row(objectives, a, b);
   });
 }
 
-Comparison compare(const PointSet& points, const PointSet* truth,
-                   const ComparisonOptions& options) {
-  return Comparer(points, truth, options).run();
+ObjectiveComparison ObjectiveComparison::by_later(std::size_t i) const {
+  ObjectiveComparison later{{objectives[i + 1]}, rows};
+  for (ComparisonRow& row : later.rows) {
+    row.value = row.then[i].value;
+    row.then.clear();
+    row.mean_angle.reset();
+  }
+  if (!given.empty()) later.given = {given[i + 1]};
+  return later;
+}
+
+std::vector<Objective> compared_objectives(std::string names) {
+  std::replace(names.begin(), names.end(), '+', ',');
+  std::vector<Objective> objectives = objectives_from_names(names);
+  if (objectives.front() == Objective::none)
+    throw ParameterError("the objective none has nothing to compare; name another, or all");
+  return objectives;
+}
+
+Comparison compare(const PointSet& points, const PointSet* truth, const ComparisonOptions& options,
+                   const Constraints& constraints) {
+  return Comparer(points, truth, options, constraints).run();
 }
 
 }  // namespace hodt::app

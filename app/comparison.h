@@ -25,6 +25,7 @@ struct Fit {
 struct ComparisonRow {
   Index k = 0;
   Value value;
+  std::vector<LaterValue> then;      ///< of the objectives after the first
   std::optional<double> mean_angle;  ///< of a sum of angles, in degrees
   Index order = 0;
   /// Of the whole mesh, in degrees.
@@ -41,13 +42,20 @@ struct ComparisonRow {
   std::optional<double> change() const;
 };
 
+/// Of one objective, or of several in order.
 struct ObjectiveComparison {
-  Objective objective;
-  std::vector<ComparisonRow> rows;  ///< one an order
-  std::string why_unchanged = {};   ///< see unchanged.h
+  std::vector<Objective> objectives;  ///< each among the triangulations as good for those before
+  std::vector<ComparisonRow> rows;    ///< one an order
+  std::vector<double> given = {};  ///< of a mesh that was there already: values of the objectives
+  std::string why_unchanged = {};  ///< see unchanged.h
 
-  /// The row with the best value, the first of these.
+  const Objective& objective() const { return objectives.front(); }
+  /// "min-max-angle", "min-max-angle, then min-sum-length".
+  std::string title() const;
+  /// The row with the best values, the first of these.
   const ComparisonRow& best() const;
+  /// The same triangulations by one of the other objectives: as if `value` were of that one.
+  ObjectiveComparison by_later(std::size_t i) const;
 };
 
 /// The truth points, and how the Delaunay triangulation fits them.
@@ -63,6 +71,8 @@ struct Comparison {
   std::optional<DuplicateHeights> duplicate_heights;  ///< empty without heights
   std::optional<std::size_t> kept;                    ///< minima; empty if none were asked for
   std::size_t empty_polygons = 0;
+  ConstraintReport constraints;      ///< nothing without any
+  std::optional<Index> given_order;  ///< of a mesh that was there already
   std::vector<Index> orders;
   std::optional<PitTotals> delaunay_pits;  ///< empty without heights
   std::optional<TruthSummary> truth;
@@ -71,17 +81,24 @@ struct Comparison {
 
 struct ComparisonOptions {
   std::vector<Index> orders;
-  std::vector<Objective> objectives;
+  /// Each one or several in order.
+  std::vector<std::vector<Objective>> objectives;
   /// Seconds that one search may take; 0: no limit.
   double time_limit = 0;
-  /// As in TriangulateOptions, for the objectives that count minima.
+  /// As in TriangulateOptions, for (first) objectives that count minima.
   double min_pit_depth = 0;
   Places keep;
   Progress progress;
 };
 
-/// Triangulates the points for every objective and order. `truth`, points with heights, may be
+/// Objectives in order from their names with a plus between, like
+/// "min-local-minima+min-sum-length". Throws ParameterError for what is none, or cannot be
+/// compared.
+std::vector<Objective> compared_objectives(std::string names);
+
+/// Triangulates the points for all objectives and orders. `truth`, points with heights, may be
 /// null. Throws what triangulate() throws.
-Comparison compare(const PointSet& points, const PointSet* truth, const ComparisonOptions& options);
+Comparison compare(const PointSet& points, const PointSet* truth, const ComparisonOptions& options,
+                   const Constraints& constraints = {});
 
 }  // namespace hodt::app

@@ -45,7 +45,7 @@ class Chart {
   std::string draw() && {
     find_ranges();
     add("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", kWidth, kHeight,
-        escaped(name_of(objective_.objective) + ": value and bound against k"));
+        escaped(name_of(objective_.objective()) + ": value and bound against k"));
     if (drawable_) {
       draw_value_axis();
       draw_order_axis();

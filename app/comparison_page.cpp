@@ -1,5 +1,6 @@
 #include "app/comparison_page.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/comparison_chart.h"
@@ -17,6 +18,7 @@ constexpr std::string_view kStyle = R"(
 body { margin: 0 auto; max-width: 60rem; padding: 2rem 1.5rem 4rem; background: #ffffff;
   color: #2b2a28; font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif; }
 h1 { font-size: 1.7rem; font-weight: 600; margin: 0 0 0.3rem; overflow-wrap: anywhere; }
+h3 { font-size: 1rem; font-weight: 600; margin: 1.6rem 0 0.8rem; }
 h2 { font-size: 1.2rem; font-weight: 600; margin: 3rem 0 0.8rem; padding-top: 1.2rem;
   border-top: 1px solid #e4e1db; }
 p { max-width: 44rem; }
@@ -73,18 +75,28 @@ std::string head(const std::string& title) {
       escaped(title), kStyle);
 }
 
-std::string facts_list(const Comparison& comparison, const std::string& input) {
+std::string facts_list(const Comparison& comparison, const std::string& input,
+                       const std::string& constraints) {
   std::string html = "<dl>\n";
   const auto add = [&](const std::string& name, const std::string& text) {
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(text));
   };
   if (input != "-") add("file", display_name(std::filesystem::path(input).filename()));
   for (const auto& [name, text] : facts_of(comparison)) add(name, text);
+  if (!constraints.empty()) add("constraints", constraints);
   return html + "</dl>\n";
 }
 
-std::string link_to(const std::string& objective) {
-  return fmt::format("<a href=\"#{}\">{}</a>", objective, objective);
+/// The section of an objective, or of several in order.
+std::string anchor_of(const ObjectiveComparison& objective) {
+  std::string anchor;
+  for (const Objective& each : objective.objectives)
+    anchor += (anchor.empty() ? "" : "+") + name_of(each);
+  return anchor;
+}
+
+std::string link_to(const ObjectiveComparison& objective) {
+  return fmt::format("<a href=\"#{}\">{}</a>", anchor_of(objective), objective.title());
 }
 
 template <class CellText>
@@ -105,47 +117,69 @@ std::string html_table(const Table& table, std::string_view name, const CellText
   return html + "</tbody>\n</table></div>\n";
 }
 
+/// A link, if some objectives have this title.
+std::string link_to_title(const Comparison& comparison, const std::string& title) {
+  for (const ObjectiveComparison& objective : comparison.objectives)
+    if (objective.title() == title) return link_to(objective);
+  return escaped(title);
+}
+
 /// What is gained at best, and what gains nothing.
 std::string summary(const Comparison& comparison) {
   std::string html;
   if (const Table table = summary_table(comparison); !table.rows.empty())
-    html += html_table(table, "summary", [](std::size_t column, const std::string& cell) {
-      return column == 0 ? link_to(cell) : escaped(cell);
+    html += html_table(table, "summary", [&](std::size_t column, const std::string& cell) {
+      return column == 0 ? link_to_title(comparison, cell) : escaped(cell);
     });
   std::string unchanged;
   for (const ObjectiveComparison& objective : comparison.objectives)
     if (!objective.why_unchanged.empty())
-      unchanged += (unchanged.empty() ? "" : ", ") + link_to(name_of(objective.objective));
+      unchanged += (unchanged.empty() ? "" : ", ") + link_to(objective);
   if (!unchanged.empty()) html += fmt::format("<p>No order changes {}.</p>\n", unchanged);
   return html;
 }
 
-std::string chart_and_table(const Comparison& comparison, const ObjectiveComparison& objective) {
-  return comparison_chart(objective) +
-         html_table(table_of(comparison, objective), "scroll",
-                    [](std::size_t, const std::string& cell) { return escaped(cell); });
+std::string charts_and_tables(const Comparison& comparison, const ObjectiveComparison& objective) {
+  const auto plain = [](std::size_t, const std::string& cell) { return escaped(cell); };
+  std::string html =
+      comparison_chart(objective) + html_table(table_of(comparison, objective), "scroll", plain);
+  for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
+    const ObjectiveComparison later = objective.by_later(i);
+    html += fmt::format("<h3>then {}{}</h3>\n", later.title(), given_text(later)) +
+            comparison_chart(later) + html_table(later_table(objective, i), "scroll", plain);
+  }
+  return html;
 }
 
 std::string section(const Comparison& comparison, const ObjectiveComparison& objective) {
-  const std::string name = name_of(objective.objective);
-  return fmt::format("<section>\n<h2 id=\"{}\">{}</h2>\n{}</section>\n", name, name,
-                     chart_and_table(comparison, objective));
+  return fmt::format("<section>\n<h2 id=\"{}\">{}{}</h2>\n{}</section>\n", anchor_of(objective),
+                     objective.title(), given_text(objective),
+                     charts_and_tables(comparison, objective));
 }
 
 std::string folded(const Comparison& comparison, const ObjectiveComparison& objective) {
-  const std::string name = name_of(objective.objective);
+  const std::string name = objective.title();
   return fmt::format("<details id=\"{}\">\n<summary><b>{}</b>: {}</summary>\n{}</details>\n", name,
                      name, escaped(objective.why_unchanged),
-                     chart_and_table(comparison, objective));
+                     charts_and_tables(comparison, objective));
 }
+
+constexpr std::string_view kLaterExplanation =
+    " Of objectives in order each counts among the triangulations that are as good for those "
+    "before it.";
 
 }  // namespace
 
-std::string comparison_page(const Comparison& comparison, const std::string& input) {
+std::string comparison_page(const Comparison& comparison, const std::string& input,
+                            const std::string& constraints) {
   const std::string title = fmt::format("What higher orders gain: {}", title_of(input));
   std::string html = head(title) + fmt::format("<body>\n<h1>{}</h1>\n", escaped(title));
-  html += facts_list(comparison, input) + summary(comparison) + std::string(kExplanation);
+  html +=
+      facts_list(comparison, input, constraints) + summary(comparison) + std::string(kExplanation);
   if (comparison.delaunay_pits) html += kPitsExplanation;
+  if (std::any_of(comparison.objectives.begin(), comparison.objectives.end(),
+                  [](const auto& each) { return each.objectives.size() > 1; }))
+    html += kLaterExplanation;
   html += "</p>\n";
   std::string unchanged;
   for (const ObjectiveComparison& objective : comparison.objectives)

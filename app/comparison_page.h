@@ -9,7 +9,9 @@
 namespace hodt::app {
 
 /// A summary, and for each objective a table and a chart of value and bound against the order;
-/// folded if nothing changes. `input` is the file of the points.
-std::string comparison_page(const Comparison& comparison, const std::string& input);
+/// folded if nothing changes. `input` is the file of the points, `constraints` what is to be said
+/// of lines.
+std::string comparison_page(const Comparison& comparison, const std::string& input,
+                            const std::string& constraints);
 
 }  // namespace hodt::app

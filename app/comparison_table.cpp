@@ -164,16 +164,37 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
   return table;
 }
 
+Table later_table(const ObjectiveComparison& objective, std::size_t later) {
+  const ObjectiveComparison by_later = objective.by_later(later);
+  const ColumnFormat value = format_of_values(by_later);
+  Table table{{"k", "value", "bound", "proof", "change"}, {}};
+  for (const ComparisonRow& row : by_later.rows)
+    table.rows.push_back({fmt::format("{}", row.k), value.text(row.value.result),
+                          value.text(row.value.bound), proof_text(row), change_text(row)});
+  return table;
+}
+
+std::string given_text(const ObjectiveComparison& objective) {
+  return objective.given.empty() ? "" : fmt::format(", of the input {}", objective.given.front());
+}
+
 Table summary_table(const Comparison& comparison) {
   Table table{{"objective", "Delaunay", "best", "at k", "change", "proof"}, {}};
+  const auto add = [&](const std::string& name, const ComparisonRow& best) {
+    ColumnFormat format;
+    for (const double value : {best.value.delaunay, best.value.result}) format.include(value);
+    table.rows.push_back({name, format.text(best.value.delaunay), format.text(best.value.result),
+                          fmt::format("{}", best.k), change_text(best), proof_text(best)});
+  };
   for (const ObjectiveComparison& objective : comparison.objectives) {
     if (objective.rows.empty() || !objective.why_unchanged.empty()) continue;
     const ComparisonRow& best = objective.best();
-    ColumnFormat format;
-    for (const double value : {best.value.delaunay, best.value.result}) format.include(value);
-    table.rows.push_back({name_of(objective.objective), format.text(best.value.delaunay),
-                          format.text(best.value.result), fmt::format("{}", best.k),
-                          change_text(best), proof_text(best)});
+    add(objective.title(), best);
+    for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
+      ComparisonRow later = best;
+      later.value = best.then[i].value;
+      add("then " + name_of(objective.objectives[i + 1]), later);
+    }
   }
   return table;
 }
@@ -209,10 +230,13 @@ std::vector<Fact> facts_of(const Comparison& comparison) {
   }
   if (comparison.kept)
     facts.push_back({"kept", kept_text(*comparison.kept, comparison.empty_polygons)});
+  if (comparison.given_order)
+    facts.push_back({"input", fmt::format("a mesh of order {}", *comparison.given_order)});
   if (!comparison.truth) return facts;
   const TruthSummary& truth = *comparison.truth;
-  facts.push_back({"truth", fmt::format("{}, {} outside the hull", counted(truth.points, "point"),
-                                        truth.outside)});
+  facts.push_back(
+      {"truth", fmt::format("{}, {} outside the {}", counted(truth.points, "point"), truth.outside,
+                            comparison.constraints.edges > 0 ? "domain" : "hull")});
   if (truth.delaunay) {
     const ColumnFormat error = format_of_errors(comparison);
     facts.push_back(

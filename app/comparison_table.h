@@ -17,6 +17,12 @@ struct Table {
 /// One row an order. Columns that no row has anything for are left out.
 Table table_of(const Comparison& comparison, const ObjectiveComparison& objective);
 
+/// By one of the objectives after the first, what can differ: a row an order.
+Table later_table(const ObjectiveComparison& objective, std::size_t later);
+
+/// What a mesh that was there already has, if there was one: ", of the input 12".
+std::string given_text(const ObjectiveComparison& objective);
+
 /// One row for each objective that changes: what it gains at best.
 Table summary_table(const Comparison& comparison);
 

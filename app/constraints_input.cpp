@@ -178,15 +178,11 @@ void add_given(Constraints& given, const std::string& input, Joined& joined) {
     constraints.triangles = std::move(given.triangles);
 }
 
-namespace {
-
-/// f(), whose errors name the input, or the lines that cross.
-template <class F>
-auto naming_lines(const std::string& input, const Joined& joined, const F& f) {
+void naming_lines(const std::string& input, const Joined& joined, const std::function<void()>& f) {
   std::string crossing;
   const auto run = [&] {
     try {
-      return f();
+      f();
     } catch (const CrossingError& error) {
       crossing = crossing_text(joined, error.crossings().front());
       if (const std::size_t more = error.crossings().size() - 1; more > 0)
@@ -195,7 +191,7 @@ auto naming_lines(const std::string& input, const Joined& joined, const F& f) {
     }
   };
   try {
-    return naming(input, run);
+    naming(input, run);
   } catch (const InputError&) {
     if (crossing.empty()) throw;
     throw InputError(
@@ -205,21 +201,22 @@ auto naming_lines(const std::string& input, const Joined& joined, const F& f) {
   }
 }
 
-}  // namespace
-
 TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
                                      const TriangulateOptions& options) {
-  return naming_lines(input, joined,
-                      [&] { return triangulate(joined.points, options, joined.constraints); });
+  TriangulateResult result;
+  naming_lines(input, joined,
+               [&] { result = triangulate(joined.points, options, joined.constraints); });
+  return result;
 }
 
 JoinedDelaunay delaunay_of_joined(const std::string& input, const Joined& joined) {
-  return naming_lines(input, joined, [&] {
-    JoinedDelaunay result{delaunay(joined.points), 0, {}};
+  JoinedDelaunay result;
+  naming_lines(input, joined, [&] {
+    result.triangulation = delaunay(joined.points);
     result.duplicates = joined.points.size() - result.triangulation.vertices.size();
     result.constraints = constrain(result.triangulation, joined.points, joined.constraints);
-    return result;
   });
+  return result;
 }
 
 std::string constraints_text(const JoinReport& joined, const ConstraintReport& report, int indent) {

@@ -2,6 +2,7 @@
 // Tested by tests/app/constraints_test.cpp.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,7 +42,10 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
 /// that do not go with a mesh.
 void add_given(Constraints& given, const std::string& input, Joined& joined);
 
-/// triangulate(), whose errors name the input, or the lines that cross.
+/// f(), whose errors name the input, or the lines that cross.
+void naming_lines(const std::string& input, const Joined& joined, const std::function<void()>& f);
+
+/// triangulate(), with errors like these.
 TriangulateResult triangulate_joined(const std::string& input, const Joined& joined,
                                      const TriangulateOptions& options);
 

@@ -14,6 +14,7 @@
 #include "app/picture_output.h"
 #include "app/points_input.h"
 #include "app/raster_output.h"
+#include "app/source.h"
 #include "app/warning.h"
 #include "app/what_changed.h"
 #include <fmt/format.h>
@@ -24,7 +25,6 @@
 #include "hodt/io/raster_file.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/pipeline.h"
-#include "hodt/pipeline/given_tin.h"
 
 namespace hodt::app {
 
@@ -45,32 +45,6 @@ struct Arguments {
   std::string threads;
   std::string json;
 };
-
-/// What INPUT holds: points, or a mesh to improve.
-struct Source {
-  bool is_tin = false;
-  InputPoints input;        ///< of a mesh, its points alone
-  Constraints constraints;  ///< of a mesh, by which its outline and its holes stay
-  std::size_t unused_vertices = 0;
-  std::vector<Index> numbers;  ///< of the mesh's vertices among the points
-};
-
-Source read_source(const PointsInput& input) {
-  const auto is_mesh = [](const std::string& file) {
-    return find_format(file, Use::read_tin) != nullptr;
-  };
-  const auto mesh = std::find_if(input.files.begin(), input.files.end(), is_mesh);
-  if (mesh == input.files.end()) return {false, read_input_points(input), {}, 0, {}};
-  if (input.files.size() > 1)
-    throw ParameterError(display_name(*mesh) + " is a mesh, which cannot be one of several files");
-  if (input.chooses_points())
-    throw ParameterError("--columns and other options that choose points are for points, and " +
-                         display_name(*mesh) + " is a mesh");
-  Tin tin = read_tin(*mesh);
-  GivenTin given = naming(*mesh, [&] { return given_tin(std::move(tin)); });
-  return {true, input_points(input, std::move(given.points)), std::move(given.constraints),
-          given.unused_vertices, std::move(given.number)};
-}
 
 /// The same count of both triangulations, as JSON.
 Json extrema_json(const Report& report, SplitCount ExtremaCount::*count) {

@@ -56,7 +56,8 @@ bool is_decided_on_outline(const Objective& objective, const Delaunay& delaunay)
 }  // namespace
 
 std::string why_unchanged(const ObjectiveComparison& comparison, const Delaunay& delaunay) {
-  const Objective& objective = comparison.objective;
+  const Objective& objective = comparison.objective();
+  if (comparison.objectives.size() > 1) return {};  // others can change
   if (objective.kind != Objective::measured || objective.aggregate == Aggregate::sum ||
       !is_unchanged(comparison))
     return {};

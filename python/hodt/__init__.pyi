@@ -206,10 +206,11 @@ def voronoi(
     threads: int | None = None,
 ) -> Voronoi: ...
 def compare(
-    points: ArrayLike,
+    points: ArrayLike | Tin,
     orders: Iterable[int] | int = ...,
     objectives: str | Iterable[str] = "min-local-minima",
     *,
+    constraints: Constraints | None = None,
     truth: ArrayLike | None = None,
     time_limit: float = 0,
     min_pit_depth: float = 0,

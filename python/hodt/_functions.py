@@ -155,15 +155,18 @@ def voronoi(points, m=1, *, box=None, threads=None):
     return Voronoi(*_hodt.voronoi(as_points(points), as_order(m, "m"), box, as_threads(threads)))
 
 
-def compare(points, orders=range(9), objectives="min-local-minima", *, truth=None, time_limit=0,
-            min_pit_depth=0, keep=None, threads=None, progress=None):
+def compare(points, orders=range(9), objectives="min-local-minima", *, constraints=None, truth=None,
+            time_limit=0, min_pit_depth=0, keep=None, threads=None, progress=None):
     """What every order gains, for one objective or several: a dictionary like the JSON of `hodt
     compare`.
 
-    orders, objectives: numbers and names, or one.
+    orders, objectives: numbers and names, or one. Of "A+B", B counts among the triangulations that
+        are as good for A, as triangulate() has it with a comma; `then` of a row has its value.
     truth: points (t, 3) whose heights are known, to tell the errors.
-    The rest is as in triangulate().
+    The rest, and a Tin in place of points, is as in triangulate().
     """
+    if isinstance(points, Tin) and constraints is not None:
+        raise ParameterError("the outline of a Tin stays; constraints are for points")
     try:
         orders = sorted({as_order(k, "orders") for k in orders})
     except TypeError:
@@ -173,9 +176,8 @@ def compare(points, orders=range(9), objectives="min-local-minima", *, truth=Non
         if isinstance(name, Measure) or not isinstance(name, str) or name == "none":
             raise ParameterError(f"objectives are to be names of what can be compared, not {name!r}")
     keeps = keep is not None or as_amount(min_pit_depth, "min_pit_depth") > 0
-    if keeps and not {"min-local-minima", "min-local-extrema"} & set(names):
+    if keeps and not {"min-local-minima", "min-local-extrema"} & {n.split("+")[0] for n in names}:
         raise ParameterError("minima to keep are for objectives that remove minima")
-    array = as_points(points)
     known = None
     if truth is not None:
         known = as_points(truth, "truth")
@@ -188,7 +190,10 @@ def compare(points, orders=range(9), objectives="min-local-minima", *, truth=Non
         "threads": as_threads(threads),
         "progress": as_progress(progress),
     }
-    return _hodt.compare(array, known, orders, names, wishes)
+    if isinstance(points, Tin):
+        return _hodt.compare_tin(points.xy, points.z, points.triangles, known, orders, names, wishes)
+    return _hodt.compare_points(as_points(points), known, orders, names,
+                                native_constraints(constraints), wishes)
 
 
 def read_points(path, columns=None, *, threads=None):

@@ -13,16 +13,38 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "hodt/pipeline/given_tin.h"
+
 namespace hodt::python {
 
 namespace {
 
-nb::dict row_dict(const app::ComparisonRow& row) {
+/// Of the objectives that are not the first.
+nb::list then_list(const app::ObjectiveComparison& objective, std::size_t order) {
+  nb::list list;
+  for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
+    const app::ComparisonRow row = objective.by_later(i).rows[order];
+    nb::dict dict;
+    dict["objective"] = name_of(objective.objectives[i + 1]);
+    dict["value"] = row.value.result;
+    dict["bound"] = row.value.bound;
+    dict["optimal"] = row.value.optimal;
+    dict["bound_in_order"] = objective.rows[order].then[i].is_bound_in_order;
+    dict["gap"] = or_none(row.gap());
+    dict["change_percent"] = or_none(row.change());
+    list.append(dict);
+  }
+  return list;
+}
+
+nb::dict row_dict(const app::ObjectiveComparison& objective, std::size_t order) {
+  const app::ComparisonRow& row = objective.rows[order];
   nb::dict dict;
   dict["k"] = row.k;
   dict["value"] = row.value.result;
   dict["bound"] = row.value.bound;
   dict["optimal"] = row.value.optimal;
+  dict["then"] = then_list(objective, order);
   dict["mean_angle"] = or_none(row.mean_angle);
   dict["gap"] = or_none(row.gap());
   dict["change_percent"] = or_none(row.change());
@@ -51,8 +73,13 @@ nb::dict comparison_dict(const app::Comparison& comparison) {
   for (const app::ObjectiveComparison& objective : comparison.objectives) {
     nb::dict dict;
     nb::list rows;
-    for (const app::ComparisonRow& row : objective.rows) rows.append(row_dict(row));
-    dict["objective"] = name_of(objective.objective);
+    for (std::size_t i = 0; i < objective.rows.size(); ++i) rows.append(row_dict(objective, i));
+    nb::list then;
+    for (std::size_t i = 1; i < objective.objectives.size(); ++i)
+      then.append(name_of(objective.objectives[i]));
+    dict["objective"] = name_of(objective.objective());
+    dict["then"] = then;
+    dict["input"] = objective.given.empty() ? nb::none() : nb::cast(objective.given);
     const bool is_unchanged = !objective.why_unchanged.empty();
     dict["unchanged"] = is_unchanged ? nb::cast(objective.why_unchanged) : nb::none();
     dict["rows"] = rows;
@@ -71,31 +98,77 @@ nb::dict comparison_dict(const app::Comparison& comparison) {
   return dict;
 }
 
-nb::dict compare(const DoubleArray& array, const std::optional<DoubleArray>& truth,
-                 const std::vector<Index>& orders, const std::vector<std::string>& objectives,
-                 nb::handle wishes) {
+app::ComparisonOptions options_of(const std::vector<Index>& orders,
+                                  const std::vector<std::string>& objectives, nb::handle wishes) {
   app::ComparisonOptions options;
   options.orders = orders;
   for (const std::string& name : objectives)
-    options.objectives.push_back(objective_from_name(name));
+    options.objectives.push_back(app::compared_objectives(name));
   options.time_limit = nb::cast<double>(wishes["time_limit"]);
   options.min_pit_depth = nb::cast<double>(wishes["min_pit_depth"]);
   options.keep = keep_of(wishes["keep"]);
-  const JobOptions job{nb::cast<std::size_t>(wishes["threads"]), nb::borrow(wishes["progress"])};
-  return comparison_dict(result_of(job, [&](const Progress& progress) {
+  return options;
+}
+
+JobOptions job_of(nb::handle wishes) {
+  return {nb::cast<std::size_t>(wishes["threads"]), nb::borrow(wishes["progress"])};
+}
+
+app::Comparison compared(const PointSet& points, const std::optional<DoubleArray>& truth,
+                         const app::ComparisonOptions& options, const Constraints& constraints) {
+  std::optional<PointSet> known;
+  if (truth) known = InputPoints(*truth).set();
+  return app::compare(points, known ? &*known : nullptr, options, constraints);
+}
+
+nb::dict compare_points(const DoubleArray& array, const std::optional<DoubleArray>& truth,
+                        const std::vector<Index>& orders,
+                        const std::vector<std::string>& objectives,
+                        const ConstraintInput& constraints, nb::handle wishes) {
+  app::ComparisonOptions options = options_of(orders, objectives, wishes);
+  JoinReport joined_report;
+  const app::Comparison comparison = result_of(job_of(wishes), [&](const Progress& progress) {
     options.progress = progress;
-    const PointSet points = InputPoints(array).set();
-    std::optional<PointSet> known;
-    if (truth) known = InputPoints(*truth).set();
-    return app::compare(points, known ? &*known : nullptr, options);
-  }));
+    const Joined joined = constraints.join(InputPoints(array).set());
+    joined_report = joined.report;
+    return naming_lines(
+        joined, [&] { return compared(joined.points, truth, options, joined.constraints); });
+  });
+  nb::dict dict = comparison_dict(comparison);
+  dict["constraints"] = nb::none();
+  if (constraints.any())
+    dict["constraints"] = constraints_dict(joined_report, comparison.constraints);
+  dict["input"] = nb::none();
+  return dict;
+}
+
+nb::dict compare_tin(const PlaceArray& xy, const std::optional<HeightArray>& z,
+                     const IntegerArray& triangles, const std::optional<DoubleArray>& truth,
+                     const std::vector<Index>& orders, const std::vector<std::string>& objectives,
+                     nb::handle wishes) {
+  app::ComparisonOptions options = options_of(orders, objectives, wishes);
+  std::size_t unused = 0;
+  const app::Comparison comparison = result_of(job_of(wishes), [&](const Progress& progress) {
+    options.progress = progress;
+    const GivenTin given = given_tin(tin_of(xy, z, triangles));
+    unused = given.unused_vertices;
+    return compared(given.points, truth, options, given.constraints);
+  });
+  nb::dict dict = comparison_dict(comparison), input;
+  input["order"] = or_none(comparison.given_order);
+  input["unused_vertices"] = unused;
+  dict["constraints"] = nb::none();
+  dict["input"] = input;
+  return dict;
 }
 
 }  // namespace
 
 void add_compare(nb::module_& module) {
-  module.def("compare", compare, nb::arg("points"), nb::arg("truth").none(), nb::arg("orders"),
-             nb::arg("objectives"), nb::arg("wishes"));
+  module.def("compare_points", compare_points, nb::arg("points"), nb::arg("truth").none(),
+             nb::arg("orders"), nb::arg("objectives"), nb::arg("constraints"), nb::arg("wishes"));
+  module.def("compare_tin", compare_tin, nb::arg("xy"), nb::arg("z").none(), nb::arg("triangles"),
+             nb::arg("truth").none(), nb::arg("orders"), nb::arg("objectives"), nb::arg("wishes"));
 }
 
 }  // namespace hodt::python

@@ -327,6 +327,7 @@ def test_compare_as_the_command(command, tmp_path):
     ours = hodt.compare(points, range(3), ["min-local-minima", "max-sum-small-angle"], truth=known)
     for name in ("columns", "files", "crs", "duplicate_rule"):
         told.pop(name, None)
+    assert told["constraints"] is None and told["input"] is None
     for each in (told, ours):
         for objective in each["objectives"]:
             for row in objective["rows"]:
@@ -338,3 +339,23 @@ def test_compare_as_the_command(command, tmp_path):
         hodt.compare(points, 1, "min-max-angle", min_pit_depth=1)
     with pytest.raises(hodt.ParameterError, match="height"):
         hodt.compare(points[:, :2], 1)
+
+
+def test_compare_is_triangulate_for_every_order():
+    points = hodt.sample("jacksboro", 300)
+    lines = hodt.Constraints(edges=[[0, 299]])
+    tin = hodt.triangulate(points, 3, "max-sum-length").tin
+    for given, wishes in ((points, {}), (points, {"constraints": lines}), (tin, {})):
+        told = hodt.compare(given, [1, 4], "min-local-minima+min-sum-abn", **wishes)
+        (objective,) = told["objectives"]
+        assert objective["objective"] == "min-local-minima" and objective["then"] == ["min-sum-abn"]
+        for row in objective["rows"]:
+            one = hodt.triangulate(given, row["k"], "min-local-minima,min-sum-abn", **wishes)
+            assert (row["value"], row["bound"]) == (one.value["result"], one.value["bound"])
+            (later,) = row["then"]
+            assert later["value"] == one.then[0]["value"]["result"]
+            assert told["constraints"] == one.constraints
+        assert (objective["input"] is None) == (given is points)
+    assert 1 <= told["input"]["order"] <= 3 and told["input"]["unused_vertices"] == 0
+    with pytest.raises(hodt.ParameterError, match="outline"):
+        hodt.compare(tin, 1, constraints=lines)

@@ -24,6 +24,44 @@ class CompareCommand : public test::CommandTest {
     EXPECT_EQ(outcome.err, "");
     return Json::parse(outcome.out, nullptr, false);
   }
+  /// Every row is what triangulate reports of the same points, with the same options.
+  void expect_as_triangulate(const std::string& input, const Json& comparison) const {
+    for (const Json& objective : comparison["objectives"]) {
+      std::string names = objective["objective"];
+      for (const std::string name : objective["then"]) names += "," + name;
+      for (const Json& row : objective["rows"]) {
+        const std::string k = row["k"].dump();
+        const Outcome outcome = run("triangulate " + input + " -o mesh.ply --json one.json -k " +
+                                    k + " --objective " + names);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Json report = json("one.json");
+        EXPECT_EQ(row["value"], report["value"]["result"]) << names << " " << k;
+        EXPECT_EQ(row["bound"], report["value"]["bound"]) << names << " " << k;
+        EXPECT_EQ(row["optimal"], report["value"]["optimal"]) << names << " " << k;
+        EXPECT_EQ(row["order"], report["order"]) << names << " " << k;
+        ASSERT_EQ(row["then"].size(), report["then"].size());
+        for (std::size_t i = 0; i < row["then"].size(); ++i) {
+          const Json &found = row["then"][i], &later = report["then"][i];
+          EXPECT_EQ(found["objective"], later["objective"]);
+          EXPECT_EQ(found["value"], later["value"]["result"]) << names << " " << k;
+          EXPECT_EQ(found["bound"], later["value"]["bound"]) << names << " " << k;
+          EXPECT_EQ(found["optimal"], later["value"]["optimal"]) << names << " " << k;
+          EXPECT_EQ(found["bound_in_order"], later["value"]["bound_in_order"]) << names << " " << k;
+        }
+        EXPECT_EQ(comparison["constraints"], report["constraints"]);
+        EXPECT_EQ(comparison["points"], report["points"]);
+        if (report["input"].is_null()) {
+          EXPECT_TRUE(comparison["input"].is_null());
+          EXPECT_TRUE(objective["input"].is_null());
+          continue;
+        }
+        EXPECT_EQ(comparison["input"]["order"], report["input"]["order"]);
+        EXPECT_EQ(comparison["input"]["unused_vertices"], report["input"]["unused_vertices"]);
+        EXPECT_EQ(objective["input"][0], report["value"]["input"]) << names << " " << k;
+      }
+    }
+  }
+
   Json orders(const std::string& list) const {
     return compared("points.csv --orders " + list)["orders"];
   }
@@ -80,6 +118,99 @@ TEST_F(CompareCommand, AgreesWithTriangulate) {
       EXPECT_TRUE(row["k"] != 0 || row["value"] == report["value"]["delaunay"]);
     }
   }
+}
+
+TEST_F(CompareCommand, AgreesWithTriangulateInOrder) {
+  sample();
+  const Json comparison = compared(
+      "points.csv --orders 0,1,4 --objective "
+      "min-local-minima+min-sum-abn,min-sum-abn,min-max-degree+min-local-minima+max-min-angle");
+  ASSERT_EQ(comparison["objectives"].size(), 3u);
+  const Json &in_order = comparison["objectives"][0], &alone = comparison["objectives"][1];
+  EXPECT_EQ(in_order["objective"], "min-local-minima");
+  EXPECT_EQ(in_order["then"], Json::array({"min-sum-abn"}));
+  EXPECT_EQ(alone["then"], Json::array());
+  // What comes second has less to choose from.
+  EXPECT_GE(double(in_order["rows"][2]["then"][0]["value"]), double(alone["rows"][2]["value"]));
+  expect_as_triangulate("points.csv", comparison);
+
+  const Outcome outcome =
+      run("compare points.csv --orders 0,4 --objective min-local-minima+min-sum-abn,min-max-angle "
+          "-o page.html");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nmin-local-minima, then min-sum-abn\n"), std::string::npos);
+  EXPECT_NE(outcome.out.find("\nthen min-sum-abn\n"), std::string::npos) << outcome.out;
+  const std::string page = content_of(directory_ / "page.html");
+  EXPECT_NE(page.find("<h2 id=\"min-local-minima+min-sum-abn\">min-local-minima, then min-sum-abn"),
+            std::string::npos);
+  EXPECT_NE(page.find("href=\"#min-local-minima+min-sum-abn\""), std::string::npos);
+  EXPECT_NE(page.find("<h3>then min-sum-abn</h3>"), std::string::npos);
+  EXPECT_EQ(count_of(page, "<svg"), 3u);
+
+  for (const char* names : {"min-local-minima+none", "none+min-max-angle", "all+min-max-angle",
+                            "min-max-angle+", "min-max-angle+min-max-angle"})
+    expect_refused("compare points.csv --objective " + std::string(names), "objective");
+  put("flat.csv", "0,0\n4,0\n0,4\n5,5\n2,1\n");
+  expect_refused("compare flat.csv --objective min-max-angle+min-sum-abn",
+                 "flat.csv: the objective min-sum-abn needs heights");
+  expect_refused("compare points.csv --min-pit-depth 1 --objective min-max-angle+min-local-minima",
+                 "minima");
+}
+
+TEST_F(CompareCommand, AgreesWithTriangulateBesideLines) {
+  ASSERT_EQ(run("sample valley -n 400 -o points.csv").exit_code, 0);
+  const Json info = Json::parse(run("info points.csv --json -").out);
+  const double left = info["x"][0], right = info["x"][1];
+  const double low = info["y"][0], high = info["y"][1];
+  const auto at = [&](double x, double y) {
+    return "[" + std::to_string(left + x * (right - left)) + "," +
+           std::to_string(low + y * (high - low)) + "]";
+  };
+  put("road.geojson", R"({"type":"LineString","coordinates":[)" + at(0.1, 0.5) + "," +
+                          at(0.5, 0.4) + "," + at(0.9, 0.6) + "]}");
+  put("site.geojson", R"({"type":"Polygon","coordinates":[[)" + at(0.1, 0.1) + "," + at(0.9, 0.1) +
+                          "," + at(0.7, 0.9) + "," + at(0.1, 0.1) + "]]}");
+  put("edges.csv", "u,v\n0,399\n");
+  const std::string objectives =
+      " --orders 0,2,5 --objective min-local-minima,min-max-angle+"
+      "min-sum-length";
+  for (const std::string options :
+       {"--breaklines road.geojson", "--outline site.geojson", "--keep-edges edges.csv",
+        "--breaklines road.geojson --outline site.geojson --split-crossings --max-edge 100000"}) {
+    const std::string input = "points.csv " + options;
+    const Json comparison = compared(input + objectives);
+    EXPECT_FALSE(comparison["constraints"].is_null());
+    expect_as_triangulate(input, comparison);
+  }
+  const Outcome outcome =
+      run("compare points.csv --breaklines road.geojson --orders 0,2 -o page.html");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nconstraints 2 pieces of lines, "), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(
+      content_of(directory_ / "page.html").find("<dt>constraints</dt><dd>2 pieces of lines, "),
+      std::string::npos);
+  expect_refused("compare points.csv --breaklines none.geojson", "none.geojson");
+  expect_refused("compare points.csv --breaklines road.geojson --outline site.geojson",
+                 "--split-crossings");
+  expect_refused("compare points.csv --breaklines road.geojson --json road.geojson",
+                 "road.geojson");
+}
+
+TEST_F(CompareCommand, AgreesWithTriangulateOfAMesh) {
+  ASSERT_EQ(run("sample jacksboro -n 200 -o points.csv").exit_code, 0);
+  ASSERT_EQ(run("triangulate points.csv -o in.obj -k 3 --objective max-sum-length").exit_code, 0);
+  const Json comparison =
+      compared("in.obj --orders 0-4 --objective min-local-minima,min-max-angle+min-sum-length");
+  EXPECT_EQ(comparison["input"]["order"], 3);
+  ASSERT_EQ(comparison["objectives"][1]["input"].size(), 2u);
+  expect_as_triangulate("in.obj", comparison);
+  const std::string text = run("compare in.obj --orders 0-4 --objective min-max-angle").out;
+  EXPECT_NE(text.find("a mesh of order 3"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nmin-max-angle, of the input "), std::string::npos) << text;
+  put("more.csv", "0,0,1\n4,0,2\n0,4,3\n");
+  expect_refused("compare in.obj more.csv", "in.obj is a mesh");
+  expect_refused("compare in.obj --max-edge 3", "the outline of in.obj stays");
 }
 
 TEST_F(CompareCommand, TellsTheGapToTheBound) {
