@@ -488,6 +488,14 @@ TEST(ConstrainedOrderByHand, an_edge_that_dangles_is_counted_once) {
   expect_all(Instance(points), {{0, 1}, {0, 7}, {1, 5}, {5, 7}});
 }
 
+/// An edge of order 2 that crosses edges at one vertex, then at another one, and then at the first
+/// again: to count that one twice loses the edge.
+TEST(ConstrainedOrderByHand, a_vertex_that_crossed_edges_come_back_to_is_counted_once) {
+  const oracle::Points points{{2, 4.25}, {18, 0.625}, {17, 4.25}, {16, 3},  {13, 4.875},
+                              {27, 1.5}, {22, 2.25},  {18, 1.5},  {21, 4.5}};
+  expect_all(Instance(points), {{4, 8}});
+}
+
 /// A hole that touches the outline at 4: around the hole, both sides of 4 are reached.
 TEST(ConstrainedOrderByHand, a_place_where_a_domain_touches_itself_is_counted_once) {
   const Instance instance({{1, 2.25}, {1, 0}, {3, 0}, {0, 1}, {2, 1}, {1, 1}});
