@@ -15,6 +15,7 @@
 
 #include "hodt/delaunay/delaunay.h"
 #include "hodt/hydrology/pit_depths.h"
+#include "hodt/mesh/glued.h"
 
 namespace hodt {
 namespace {
@@ -269,6 +270,107 @@ TEST(PitVolumes, AreThoseOfTheLakesByDefinition) {
         EXPECT_EQ(volumes[i], 0);
       }
     }
+  }
+}
+
+/// The same from the definition without integrals: the part of each triangle that is under water is
+/// cut out, and cut into triangles again.
+double clipped_volume(const Terrain& terrain, const Pit& pit) {
+  if (pit.depth <= 0) return 0;
+  std::vector<std::vector<Index>> around(terrain.xy.size());
+  for (const auto& t : terrain.triangles)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) around[t[i]].push_back(t[j]);
+  std::vector<Index> wet = {pit.bottom};
+  std::vector<bool> is_wet(terrain.xy.size(), false);
+  is_wet[pit.bottom] = true;
+  for (std::size_t i = 0; i < wet.size(); ++i)
+    for (const Index v : around[wet[i]])
+      if (!is_wet[v] && terrain.z[v] < pit.level) is_wet[v] = true, wet.push_back(v);
+  struct Corner {
+    long double x, y, depth;
+  };
+  long double volume = 0;
+  for (const auto& t : terrain.triangles) {
+    std::vector<Corner> part;
+    for (int i = 0; i < 3; ++i) {
+      const auto corner = [&](Index v) {
+        return Corner{terrain.xy[v].x, terrain.xy[v].y,
+                      static_cast<long double>(pit.level) - terrain.z[v]};
+      };
+      const Corner a = corner(t[i]), b = corner(t[(i + 1) % 3]);
+      if (a.depth > 0 && is_wet[t[i]]) part.push_back(a);
+      if ((a.depth > 0) == (b.depth > 0) || !(is_wet[t[i]] || is_wet[t[(i + 1) % 3]])) continue;
+      const long double at = a.depth / (a.depth - b.depth);
+      part.push_back({a.x + at * (b.x - a.x), a.y + at * (b.y - a.y), 0});
+    }
+    for (std::size_t i = 2; i < part.size(); ++i) {
+      const Corner &a = part[0], &b = part[i - 1], &c = part[i];
+      volume += std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2 *
+                (a.depth + b.depth + c.depth) / 3;
+    }
+  }
+  return static_cast<double>(volume);
+}
+
+/// A valley between walls, with a sill after each pit, higher than the one before, and the next pit
+/// deeper: each pit is in all that follow. Heights of the slopes are scattered, so that every level
+/// finds corners.
+Terrain nested_pits(Index count, double unit) {
+  Terrain terrain;
+  const Index columns = 2 * count + 1, rows = 5;
+  for (Index x = 0; x < columns; ++x)
+    for (Index y = 0; y < rows; ++y) {
+      terrain.xy.push_back({double(x), double(y)});
+      const double wall = 2. * count, scattered = double((x * 7919 + y * 104729) % (2 * count));
+      const double floor = x == 0 ? wall : x % 2 ? -double(x / 2 + 1) : double(x / 2);
+      const bool is_wall = y == 0 || y == 4 || x == 0;
+      terrain.z.push_back(unit * (is_wall ? wall : y == 2 ? floor : std::max(scattered, floor)));
+    }
+  for (Index x = 0; x + 1 < columns; ++x)
+    for (Index y = 0; y + 1 < rows; ++y) {
+      const Index a = x * rows + y, b = a + rows;
+      terrain.triangles.push_back({a, b, b + 1});
+      terrain.triangles.push_back({a, b + 1, a + 1});
+    }
+  return terrain;
+}
+
+TEST(PitVolumes, AreExactButForRounding) {
+  std::vector<Terrain> terrains;
+  for (std::uint64_t seed = 0; seed < 24; ++seed) terrains.push_back(rough_terrain(seed));
+  for (const Index count : {1, 2, 7, 40})
+    for (const double unit : {1., 1e-3, 1e200, 1e-290})
+      terrains.push_back(nested_pits(count, unit));
+  for (const Terrain& terrain : terrains) {
+    const TriangleMesh mesh = terrain.mesh();
+    const std::vector<Pit> pits = pit_depths(mesh, terrain.xy, terrain.z);
+    const std::vector<double> volumes = pit_volumes(mesh, terrain.xy, terrain.z, pits);
+    for (std::size_t i = 0; i < pits.size(); ++i) {
+      const double expected = clipped_volume(terrain, pits[i]);
+      EXPECT_NEAR(volumes[i], expected, 1e-11 * expected + 5e-323) << i;
+    }
+  }
+}
+
+TEST(PitVolumes, AreFastForPitsInPits) {
+  constexpr Index count = 100000;  // to look at every lake anew would take hours
+  const Terrain terrain = nested_pits(count, 1);
+  const TriangleMesh mesh = glued(terrain.xy.size(), terrain.triangles);
+  const std::vector<Pit> pits = pit_depths(mesh, terrain.xy, terrain.z);
+  const std::vector<double> volumes = pit_volumes(mesh, terrain.xy, terrain.z, pits);
+  double last = 0;
+  std::size_t nested = 0;
+  for (std::size_t i = 0; i < pits.size(); ++i) {
+    if (terrain.xy[pits[i].bottom].y != 2) continue;
+    EXPECT_GT(volumes[i], last);
+    last = volumes[i];
+    ++nested;
+  }
+  EXPECT_EQ(nested, count);
+  for (const std::size_t i : {std::size_t{0}, pits.size() / 3, pits.size() - 1}) {
+    const double expected = clipped_volume(terrain, pits[i]);
+    EXPECT_NEAR(volumes[i], expected, 1e-9 * expected);
   }
 }
 

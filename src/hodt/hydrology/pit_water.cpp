@@ -1,100 +1,36 @@
 #include "hodt/hydrology/pit_water.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
 
+#include "hodt/hydrology/rising_lakes.h"
+#include "hodt/hydrology/wet_triangle.h"
+
 namespace hodt {
-
-namespace {
-
-double area(const Point& a, const Point& b, const Point& c) {
-  return std::fabs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-}
-
-/// The mean over a triangle of the depth, which is linear, counted as 0 where it is negative. The
-/// depths at the corners are sorted, the largest first and positive. Sums of products that are not
-/// negative: nothing cancels, however thin the wedge.
-double mean_depth(double a, double b, double c) {
-  if (c >= 0) return (a + b + c) / 3;
-  const double along_ac = a / (a - c);  // the share of that side that is under water
-  if (b <= 0) return a / 3 * along_ac * (a / (a - b));
-  const double along_bc = b / (b - c);
-  return ((a + b) * along_bc + a * along_ac * (1 - along_bc)) / 3;
-}
-
-/// Of level water over a triangle; 0 if it is dry.
-double volume_over(const TriangleMesh& mesh, TriangleId t, std::span<const Point> xy,
-                   std::span<const double> z, double level) {
-  std::array<VertexId, 3> corner = mesh.corners(t);
-  std::sort(corner.begin(), corner.end(), [&](VertexId u, VertexId v) { return z[u] < z[v]; });
-  const auto [low, middle, high] = corner;
-  if (level <= z[low]) return 0;
-  return area(xy[low], xy[middle], xy[high]) *
-         mean_depth(level - z[low], level - z[middle], level - z[high]);
-}
-
-/// The lake around a pit's bottom: what is lower than its level and connected.
-class Lake {
- public:
-  Lake(const TriangleMesh& mesh, std::span<const Point> xy, std::span<const double> z)
-      : mesh_(mesh),
-        outgoing_(outgoing_halfedges(mesh)),
-        xy_(xy),
-        z_(z),
-        of_pit_(z.size(), kNone) {}
-
-  /// The pits one after another, each with a number of its own.
-  double volume(const Pit& pit, Index number) {
-    if (pit.depth <= 0) return 0;
-    vertices_.assign(1, pit.bottom);
-    of_pit_[pit.bottom] = number;
-    double volume = 0;
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      for_each_neighbour(mesh_, outgoing_[vertices_[i]], [&](VertexId w) {
-        if (z_[w] >= pit.level || of_pit_[w] == number) return;
-        of_pit_[w] = number;
-        vertices_.push_back(w);
-      });
-      volume += volume_at(vertices_[i], pit.level);
-    }
-    return volume;
-  }
-
- private:
-  /// Over the triangles of which the vertex is the lowest corner; a level one's has the least
-  /// number.
-  double volume_at(VertexId v, double level) const {
-    double volume = 0;
-    const auto is_first = [&](VertexId w) { return z_[v] < z_[w] || (z_[v] == z_[w] && v < w); };
-    for_each_outgoing(mesh_, outgoing_[v], [&](HalfEdgeId h) {
-      if (is_first(mesh_.target(h)) && is_first(mesh_.apex(h)))
-        volume += volume_over(mesh_, TriangleMesh::triangle(h), xy_, z_, level);
-    });
-    return volume;
-  }
-
-  const TriangleMesh& mesh_;
-  Buffer<HalfEdgeId> outgoing_;
-  std::span<const Point> xy_;
-  std::span<const double> z_;
-  Buffer<Index> of_pit_;  // of which lake a vertex was last
-  std::vector<VertexId> vertices_;
-};
-
-}  // namespace
 
 std::vector<double> pit_volumes(const TriangleMesh& mesh, std::span<const Point> xy,
                                 std::span<const double> z, std::span<const Pit> pits) {
-  Lake lake(mesh, xy, z);
-  std::vector<double> volumes;
-  for (const Pit& pit : pits)
-    volumes.push_back(lake.volume(pit, static_cast<Index>(volumes.size())));
+  std::vector<double> volumes(pits.size(), 0);
+  std::vector<std::size_t> order;  // the lowest level first
+  for (std::size_t i = 0; i < pits.size(); ++i)
+    if (pits[i].depth > 0) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return pits[i].level < pits[j].level || (pits[i].level == pits[j].level && i < j);
+  });
+  std::vector<double> levels;
+  for (const std::size_t i : order)
+    if (levels.empty() || levels.back() != pits[i].level) levels.push_back(pits[i].level);
+  RisingLakes lakes(mesh, xy, z, levels);
+  auto next = order.begin();
+  for (const double level : levels) {
+    lakes.rise();
+    for (; next != order.end() && pits[*next].level == level; ++next)
+      volumes[*next] = lakes.volume_at(pits[*next].bottom);
+  }
   return volumes;
 }
 
@@ -128,7 +64,7 @@ double water_volume(const TriangleMesh& mesh, std::span<const Point> xy,
     const auto [a, b, c] = mesh.corners(TriangleId(t));
     // Water over a triangle stands as high as at its lowest corner.
     const VertexId low = z[b] < z[a] ? (z[c] < z[b] ? c : b) : (z[c] < z[a] ? c : a);
-    volume += volume_over(mesh, TriangleId(t), xy, z, levels[low]);
+    volume += WetTriangle(mesh, TriangleId(t), xy, z).volume(levels[low]);
   }
   return volume;
 }

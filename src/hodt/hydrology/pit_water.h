@@ -25,7 +25,7 @@ Buffer<double> water_levels(const TriangleMesh& mesh, std::span<const double> z)
 double water_volume(const TriangleMesh& mesh, std::span<const Point> xy, std::span<const double> z);
 
 /// What each of the pits (see pit_depths.h) holds before it flows over, smaller pits inside of it
-/// included. In the time that it takes to look at each vertex once for each pit that it is in.
+/// included. O(n log n), however deep pits are nested in pits.
 std::vector<double> pit_volumes(const TriangleMesh& mesh, std::span<const Point> xy,
                                 std::span<const double> z, std::span<const Pit> pits);
 
