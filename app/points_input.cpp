@@ -111,6 +111,10 @@ void add_file(const PointsInput& input, const std::string& file, PointTable tabl
     read.warnings.push_back({display_name(file), warning});
   if (!read.files.empty()) {
     require_one_crs(input, read, display_name(file), table.points.crs);
+    // Only what it says beyond the first one can be new: of heights.
+    if (input.crs.empty() && table.points.crs != read.points.crs)
+      for (const std::string& warning : crs_warnings(table.points.crs))
+        read.warnings.push_back({display_name(file), warning});
     if (table.points.has_heights() != read.points.has_heights())
       throw InputError(fmt::format("{} has {}heights, unlike {}; give all files heights, or none",
                                    display_name(file), table.points.has_heights() ? "" : "no ",

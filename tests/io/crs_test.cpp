@@ -80,6 +80,27 @@ TEST(Crs, AreWarnedOfWhereLengthsAreNone) {
   EXPECT_TRUE(crs_warnings("EPSG:2277+8228").empty());
 }
 
+TEST(Crs, MayBeJoinedWithOneOfHeights) {
+  EXPECT_EQ(crs_with_heights("", 7837), "");
+  EXPECT_EQ(crs_with_heights("ours", 7837), "");
+  if (!has_gdal()) return;
+  EXPECT_EQ(crs_with_heights("EPSG:25832", 7837), parse_crs("--crs", "EPSG:25832+7837"));
+  EXPECT_EQ(crs_with_heights("EPSG:25832", 25833), "") << "no system of heights";
+  EXPECT_EQ(crs_with_heights("EPSG:25832", 5103), "") << "a datum";
+  EXPECT_NEAR(crs_units(crs_with_heights("EPSG:2277", 6360)).metres, 0.3048006, 1e-7);
+}
+
+TEST(Crs, AreWarnedOfWhatAFileSaysOfHeights) {
+  if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
+  EXPECT_EQ(height_warnings("EPSG:25832", 0.3048, "ft").size(), 1u);
+  EXPECT_EQ(height_warnings("EPSG:25832+7837", 0.3048, "ft").size(), 1u);
+  EXPECT_EQ(height_warnings("EPSG:25832", 1, "m").size(), 0u);
+  EXPECT_EQ(height_warnings("EPSG:2277", 0.3048, "ft").size(), 0u) << "the two kinds of feet";
+  EXPECT_EQ(height_warnings("EPSG:2277+5703", 1, "m").size(), 0u) << "the system says it";
+  EXPECT_EQ(height_warnings("EPSG:4326", 0.3048, "ft").size(), 0u) << "degrees have a warning";
+  EXPECT_EQ(height_warnings("", 0.3048, "ft").size(), 0u);
+}
+
 TEST(Crs, HaveNamesForPeople) {
   EXPECT_EQ(crs_title(""), "");
   if (!has_gdal()) return;

@@ -14,6 +14,8 @@
 #include "hodt/io/line_file.h"
 #include "hodt/io/places_file.h"
 #include "hodt/io/point_file.h"
+#include "hodt/io/raster_file.h"
+#include "hodt/io/tin_file.h"
 
 namespace hodt {
 namespace {
@@ -464,6 +466,48 @@ TEST(WithoutGdal, UsingAFormatSaysWhatIsMissing) {
   }
   EXPECT_NE(message_of<ParameterError>([&] { read_lines("a.gpkg"); }).find("libgdal-dev"),
             std::string::npos);
+}
+
+TEST_F(GdalTest, SystemsOfHeightsAreKept) {
+  const std::string grid = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n";
+  const std::string both = parse_crs("--crs", "EPSG:25832+7837");
+  for (const char* version : {"1.0", "1.1"}) {
+    raster("h.tif", grid, std::string("-a_srs EPSG:25832+7837 -co GEOTIFF_VERSION=") + version);
+    const PointTable table = read_point_table(directory_ / "h.tif");
+    EXPECT_TRUE(is_same_crs(table.points.crs, both)) << version << ": " << table.points.crs;
+    EXPECT_EQ(crs_units(table.points.crs).vertical, "m");
+    EXPECT_TRUE(table.warnings.empty());
+  }
+  // And written where that can be: what a reader finds is the same system.
+  for (const char* name : {"w.gpkg", "w.fgb", "w.ply", "w.tif"}) {
+    const Tin tin{{{{0, 0}, {2, 0}, {0, 2}}, {1, 2, 3}}, {{0, 1, 2}}, both};
+    const std::filesystem::path path = directory_ / name;
+    if (is_raster_name(path)) {
+      OutputFile file(path);
+      write_heights(tin, grid_over(tin, 1), file);
+      file.commit();
+    } else {
+      write_tin(tin, path);
+    }
+    const PointChoice choice{.layer = {.vertices = !is_raster_name(path)}};
+    const std::string crs =
+        path.extension() == ".ply" ? read_tin(path).crs : read_points(path, choice).crs;
+    EXPECT_TRUE(is_same_crs(crs, both)) << name << ": " << crs;
+    EXPECT_EQ(crs_units(crs).vertical, "m") << name;
+  }
+}
+
+TEST_F(GdalTest, UnitsOfABandAreComparedWithThoseOfXAndY) {
+  const std::string grid = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n";
+  raster("u.tif", grid, "-a_srs EPSG:25832");
+  shell(
+      "gdal_translate -of VRT u.tif u.vrt && "
+      "sed -i 's|<ColorInterp>|<UnitType>ft</UnitType><ColorInterp>|' u.vrt");
+  const auto feet = read_point_table(directory_ / "u.vrt").warnings;
+  ASSERT_EQ(feet.size(), 1u);
+  EXPECT_NE(feet[0].find("heights are in ft, x and y in metre"), std::string::npos) << feet[0];
+  shell("sed -i 's|<UnitType>ft|<UnitType>m|' u.vrt");
+  EXPECT_TRUE(read_point_table(directory_ / "u.vrt").warnings.empty());
 }
 
 }  // namespace

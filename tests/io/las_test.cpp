@@ -7,12 +7,17 @@
 
 #include "las_writer.h"
 #include "temporary_directory.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/io/crs.h"
+#include "hodt/io/formats.h"
 #include "hodt/io/las/las_crs.h"
 #include "hodt/io/las/las_reader.h"
+#include "hodt/io/las_table.h"
 #include "hodt/io/point_file.h"
 
 namespace hodt {
@@ -228,6 +233,63 @@ TEST(LasCrs, ComesFromKeysOrText) {
   EXPECT_EQ(crs_with(false, geo_keys({{2048, 0, 1, 4326}, {3072, 0, 1, 32767}}), ""), "")
       << "a projection of the user's own";
   EXPECT_EQ(crs_with(false, "cut", ""), "");
+}
+
+PointTable table_with(const std::string& keys, bool prefers_wkt = false) {
+  LasWriter writer = writer_of({6, 4});
+  writer.global_encoding = prefers_wkt ? 16 : 0;
+  writer.add_record("LASF_Projection", 34735, keys);
+  if (prefers_wkt) writer.add_record("LASF_Projection", 2112, kWkt + std::string(1, '\0'));
+  return read_las_table(input_of(writer.bytes()), {});
+}
+
+/// Keys of x and y, heights, and the heights' unit; 0 for one that is not there.
+std::string keys_of(int projected, int heights, int unit) {
+  return geo_keys(
+      {{1024, 0, 1, 1}, {3072, 0, 1, projected}, {4096, 0, 1, heights}, {4099, 0, 1, unit}});
+}
+
+TEST(LasCrs, HasTheSystemOfHeights) {
+  if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
+  struct Case {
+    int projected, heights, unit;
+    const char* same;
+  };
+  for (const Case& c :
+       {Case{25832, 7837, 9001, "EPSG:25832+7837"}, Case{25832, 7837, 0, "EPSG:25832+7837"},
+        Case{2277, 5703, 9001, "EPSG:2277+5703"},
+        // The numbers of GeoTIFF 1.0, and the unit beside.
+        Case{2277, 5703, 9003, "EPSG:2277+6360"}, Case{2277, 5103, 9003, "EPSG:2277+6360"},
+        Case{2277, 5103, 9002, "EPSG:2277+8228"}, Case{2277, 5103, 9001, "EPSG:2277+5703"},
+        Case{2277, 5102, 9003, "EPSG:2277+5702"}, Case{25832, 32767, 32767, "EPSG:25832"},
+        Case{25832, 0, 9001, "EPSG:25832"}, Case{2277, 0, 9003, "EPSG:2277"}}) {
+    const PointTable table = table_with(keys_of(c.projected, c.heights, c.unit));
+    EXPECT_EQ(table.points.crs, parse_crs("--crs", c.same));
+    EXPECT_TRUE(table.warnings.empty()) << c.same << ": " << table.warnings[0];
+  }
+  EXPECT_EQ(table_with(keys_of(25833, 7837, 9001), true).points.crs, "EPSG:25832") << "by its text";
+}
+
+TEST(LasCrs, SaysWhatOfHeightsIsNotKept) {
+  const auto warnings_of = [](int projected, int heights, int unit) {
+    const PointTable table = table_with(keys_of(projected, heights, unit));
+    EXPECT_EQ(table.points.crs, "EPSG:" + std::to_string(projected));
+    return fmt::format("{}", fmt::join(table.warnings, "\n"));
+  };
+  const auto expect_in = [](const std::string& all, const std::string& part) {
+    EXPECT_NE(all.find(part), std::string::npos) << all;
+  };
+  if (!has_gdal()) {
+    expect_in(warnings_of(25832, 7837, 9001), "7837");
+    return;
+  }
+  expect_in(warnings_of(25832, 0, 9003), "heights are in US survey foot");
+  expect_in(warnings_of(2277, 0, 9001), "heights are in metre");
+  expect_in(warnings_of(25832, 5030, 0), "system 5030 (GeoKey 4096), which is not kept");
+  expect_in(warnings_of(25832, 25832, 9001), "system 25832 (GeoKey 4096) in metre");
+  const std::string two = warnings_of(25832, 7837, 9002);
+  expect_in(two, "heights are in foot");
+  expect_in(two, "system 7837 (GeoKey 4096) in foot, which is not kept");
 }
 
 // --- compressed files ---

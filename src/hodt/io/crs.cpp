@@ -45,6 +45,21 @@ bool is_epsg_number(std::string_view code) {
   return code.starts_with(authority) && is_word(code.substr(authority.size()), is_digit);
 }
 
+/// The two kinds of feet are the same here.
+bool is_same_unit(double a, double b) {
+  return std::fabs(a - b) < 1e-5 * b;
+}
+
+std::vector<std::string> height_warnings_of(const CrsFacts& facts, double unit,
+                                            const std::string& name) {
+  if (unit == 0 || is_same_unit(unit, facts.unit)) return {};
+  return {fmt::format(
+      "heights are in {}, x and y in {} ({}), so that slopes, and measures that use heights, are "
+      "not those on the ground; bring them to one unit first, with ogr2ogr -t_srs EPSG:... for "
+      "example",
+      name, facts.unit_name, facts.name)};
+}
+
 }  // namespace
 
 std::string parse_crs(std::string_view option, const std::string& text) {
@@ -82,27 +97,32 @@ std::vector<std::string> crs_warnings(const std::string& crs) {
         "angles are not those on the ground; bring the data to a system in metres first, with "
         "ogr2ogr -t_srs EPSG:... or, for rasters, gdalwarp -t_srs EPSG:...",
         facts->name)};
-  constexpr double same = 1e-5;  // the two kinds of feet are the same here
-  if (facts->height_unit != 0 && std::fabs(facts->height_unit / facts->unit - 1) > same)
-    return {fmt::format(
-        "heights are in {}, x and y in {} ({}), so that slopes, and measures that use heights, are "
-        "not those on the ground; bring them to one unit first, with ogr2ogr -t_srs EPSG:... for "
-        "example",
-        facts->height_unit_name, facts->unit_name, facts->name)};
-  return {};
+  return height_warnings_of(*facts, facts->height_unit, facts->height_unit_name);
+}
+
+std::vector<std::string> height_warnings(const std::string& crs, double unit,
+                                         const std::string& name) {
+  const std::optional<CrsFacts> facts = crs.empty() ? std::nullopt : crs_facts(crs);
+  // Degrees have a warning of their own, and so has what the system itself says.
+  if (!facts || facts->is_geographic || is_same_unit(unit, facts->height_unit)) return {};
+  return height_warnings_of(*facts, unit, name);
+}
+
+std::string crs_with_heights(const std::string& crs, long heights) {
+  if (!is_epsg_number(crs)) return {};
+  const std::optional<CrsFacts> facts = crs_facts(fmt::format("{}+{}", crs, heights));
+  return facts ? facts->text : std::string();
 }
 
 CrsUnits crs_units(const std::string& crs) {
   const std::optional<CrsFacts> facts = crs.empty() ? std::nullopt : crs_facts(crs);
   if (!facts) return {};
-  const auto is_near = [](double unit, double metres) {
-    return std::fabs(unit / metres - 1) < 1e-5;  // the two kinds of feet are the same here
-  };
   const auto short_name = [&](double unit, const std::string& name) -> std::string {
-    if (is_near(unit, 1)) return "m";
-    return is_near(unit, 0.3048) ? "ft" : name;
+    if (is_same_unit(unit, 1)) return "m";
+    return is_same_unit(unit, 0.3048) ? "ft" : name;
   };
   CrsUnits units;
+  units.metres = facts->height_unit;
   units.horizontal = facts->is_geographic ? "°" : short_name(facts->unit, facts->unit_name);
   if (facts->height_unit != 0)
     units.vertical = short_name(facts->height_unit, facts->height_unit_name);

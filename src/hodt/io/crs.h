@@ -23,9 +23,19 @@ std::string crs_title(const std::string& crs);
 /// heights of other units than x and y. Without GDAL nothing is known.
 std::vector<std::string> crs_warnings(const std::string& crs);
 
+/// The same where the file, not the system, says what heights are counted in: in `unit` metres,
+/// called `name`.
+std::vector<std::string> height_warnings(const std::string& crs, double unit,
+                                         const std::string& name);
+
+/// The system of x and y and one of heights, of which EPSG has the number, as one; empty if there
+/// is none, and without GDAL.
+std::string crs_with_heights(const std::string& crs, long heights);
+
 /// What the coordinates are counted in: "m", "ft", "°", or the unit's name; empty if unknown.
 struct CrsUnits {
   std::string horizontal, vertical;
+  double metres = 0;  ///< of the vertical one; 0 if unknown
 };
 CrsUnits crs_units(const std::string& crs);
 

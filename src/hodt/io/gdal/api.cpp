@@ -1,6 +1,7 @@
 #include "hodt/io/gdal/api.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,11 +14,17 @@ namespace hodt {
 
 namespace {
 
+/// Debian's package of the library alone has its number: libgdal32 holds libgdal.so.32.
+std::string package() {
+  const std::string name = HODT_GDAL_SONAME;
+  return "libgdal" + name.substr(name.rfind('.') + 1);
+}
+
 [[noreturn]] void refuse(const std::string& why) {
   throw ParameterError(
       fmt::format("this format needs GDAL's library, which cannot be loaded ({}); install it (on "
-                  "Debian: apt install libgdal-dev)",
-                  why));
+                  "Debian: apt install {})",
+                  why, package()));
 }
 
 void CPL_STDCALL ignore(CPLErr, CPLErrorNum, const char*) {}
@@ -30,7 +37,8 @@ GdalFunctions load() {
 #undef HODT_LOAD
   functions.CPLPushErrorHandlerEx(ignore, nullptr);  // a plug-in's that cannot be loaded
   functions.GDALAllRegister();
-  functions.CPLSetConfigOption("AAIGRID_DATATYPE", "Float64");  // ASCII grids are read as they are
+  functions.CPLSetConfigOption("AAIGRID_DATATYPE", "Float64");   // ASCII grids are read as they are
+  functions.CPLSetConfigOption("GTIFF_REPORT_COMPD_CS", "YES");  // heights have a system, too
   functions.CPLPopErrorHandler();
   return functions;
 }

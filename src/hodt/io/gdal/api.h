@@ -44,6 +44,7 @@ namespace hodt {
   FUNCTION(GDALGetRasterNoDataValue)         \
   FUNCTION(GDALGetRasterOffset)              \
   FUNCTION(GDALGetRasterScale)               \
+  FUNCTION(GDALGetRasterUnitType)            \
   FUNCTION(GDALGetRasterXSize)               \
   FUNCTION(GDALGetRasterYSize)               \
   FUNCTION(GDALGetSpatialRef)                \

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/crs.h"
 #include "hodt/io/gdal/dataset.h"
 #include "hodt/io/gdal/readers.h"
 #include "hodt/io/gdal/spatial_reference.h"
@@ -131,6 +132,26 @@ PointSet centres(GDALDatasetH dataset, GDALRasterBandH band, Index stride,
   return points;
 }
 
+/// Says so if the band's values are in other units than x and y. Names are those that GDAL's
+/// drivers use.
+std::vector<std::string> warn_of_unit(GDALRasterBandH band, const std::string& crs) {
+  const char* const said = gdal().GDALGetRasterUnitType(band);
+  const std::string unit = said ? said : "";
+  for (const auto& [name, metres] : {std::pair{"m", 1.},
+                                     {"metre", 1.},
+                                     {"meter", 1.},
+                                     {"metres", 1.},
+                                     {"meters", 1.},
+                                     {"cm", 0.01},
+                                     {"km", 1000.},
+                                     {"ft", 0.3048},
+                                     {"foot", 0.3048},
+                                     {"feet", 0.3048},
+                                     {"US survey foot", 1200. / 3937}})
+    if (unit == name) return height_warnings(crs, metres, unit);
+  return {};
+}
+
 }  // namespace
 
 PointTable read_raster_points(const std::filesystem::path& path, const PointChoice& choice) {
@@ -151,6 +172,8 @@ PointTable read_raster_points(const std::filesystem::path& path, const PointChoi
   if (GCI_PaletteIndex <= colours && colours <= GCI_BlackBand)
     table.warnings.emplace_back("its cells are colours, not heights, by what the file says");
   for (std::string& warning : warn_of_no_data(table.points))
+    table.warnings.push_back(std::move(warning));
+  for (std::string& warning : warn_of_unit(band, table.points.crs))
     table.warnings.push_back(std::move(warning));
   return table;
 }

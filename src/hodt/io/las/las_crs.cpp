@@ -83,6 +83,13 @@ class WktWalk {
   std::string_view text_;
 };
 
+/// A file may have both; its header says which one is meant.
+bool takes_keys(const LasHeader& header) {
+  const bool has_wkt = !crs_in_wkt(header.content_of(kProjection, kWkt)).empty();
+  const bool has_keys = !crs_in_geo_keys(header.content_of(kProjection, kGeoKeys)).empty();
+  return header.prefers_wkt ? !has_wkt : has_keys;
+}
+
 }  // namespace
 
 std::string epsg_code_in_wkt(std::string_view text) {
@@ -90,11 +97,19 @@ std::string epsg_code_in_wkt(std::string_view text) {
 }
 
 std::string crs_of(const LasHeader& header) {
-  const std::string wkt = crs_in_wkt(header.content_of(kProjection, kWkt));
-  const std::string keys = crs_in_geo_keys(header.content_of(kProjection, kGeoKeys));
-  // A file may have both; its header says which one is meant.
-  const bool takes_wkt = header.prefers_wkt ? !wkt.empty() : keys.empty();
-  return takes_wkt ? wkt : keys;
+  return takes_keys(header) ? crs_in_geo_keys(header.content_of(kProjection, kGeoKeys))
+                            : crs_in_wkt(header.content_of(kProjection, kWkt));
+}
+
+LasHeights heights_of(const LasHeader& header) {
+  constexpr std::uint16_t system = 4096, unit = 4099, user_defined = 32767;
+  if (!takes_keys(header)) return {};
+  const std::string_view directory = header.content_of(kProjection, kGeoKeys);
+  const auto said = [&](std::uint16_t key) {
+    const std::uint16_t value = geo_key(directory, key);
+    return value == user_defined ? std::uint16_t{0} : value;
+  };
+  return {said(system), said(unit)};
 }
 
 }  // namespace hodt::las

@@ -114,7 +114,7 @@ class Reader {
     choose();
     place();
     points_.crs = crs_of(header_);
-    return {std::move(points_), counts_};
+    return {std::move(points_), heights_of(header_), counts_};
   }
 
  private:

@@ -26,11 +26,19 @@ struct LasCounts {
   std::array<std::uint64_t, LasChoice::kClasses> taken_of_class{};
 };
 
+/// What heights are, by EPSG's numbers; 0 where nothing is said.
+struct LasHeights {
+  std::uint16_t system = 0;  ///< "NAVD88 height" and the like
+  std::uint16_t unit = 0;
+};
+
 struct LasPoints {
   /// In the order of the file; each coordinate is the stored integer times the file's scale plus
   /// its offset, both rounded to double. The system is the file's code ("EPSG:25832"), its
   /// well-known text if it has none, or nothing.
   PointSet points;
+  /// Beside a code, which is that of x and y alone.
+  LasHeights heights;
   LasCounts counts;
 };
 
