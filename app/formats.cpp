@@ -11,6 +11,8 @@
 #include "app/outputs.h"
 #include <fmt/format.h>
 
+#include "hodt/io/raster_file.h"
+
 namespace hodt::app {
 
 namespace {
@@ -40,6 +42,17 @@ std::vector<std::string_view> uses_of(const Format& format, const Column (&colum
   return uses;
 }
 
+/// Rasters are sampled from a mesh.
+std::vector<std::string_view> written_by(const Format& format) {
+  std::vector<std::string_view> uses = uses_of(format, kWrites);
+  const auto extensions = extensions_of(format);
+  if (std::any_of(extensions.begin(), extensions.end(), [](std::string_view extension) {
+        return is_raster_name(fmt::format("a{}", extension));
+      }))
+    uses.push_back("raster");
+  return uses;
+}
+
 std::vector<Row> table() {
   std::vector<Row> rows = {
       {"format", "file names", "reads", "writes", "heights exact", "CRS", "order"}};
@@ -50,7 +63,7 @@ std::vector<Row> table() {
     rows.push_back({std::string(format.name),
                     fmt::format("{}", fmt::join(extensions_of(format), ", ")),
                     fmt::format("{}", fmt::join(uses_of(format, kReads), ", ")),
-                    fmt::format("{}", fmt::join(uses_of(format, kWrites), ", ")),
+                    fmt::format("{}", fmt::join(written_by(format), ", ")),
                     kept(format.keeps.heights), kept(format.keeps.crs), kept(format.keeps.order)});
   }
   return rows;
@@ -97,7 +110,7 @@ Json to_json(const Format& format) {
           {"extensions", extensions_of(format)},
           {"packed", format.can_be_packed},
           {"reads", uses_of(format, kReads)},
-          {"writes", uses_of(format, kWrites)},
+          {"writes", written_by(format)},
           {"keeps", keeps}};
 }
 

@@ -27,10 +27,14 @@ Window parse_window(const std::string& text) {
   return window;
 }
 
-/// Minima are what pits are made of; where an objective is about maxima, these are looked at.
-void choose_extrema(Objective objective, PictureOptions& options) {
-  options.maxima = counts_maxima(objective);
-  options.minima = objective != Objective::min_local_maxima;
+/// Minima are what pits are made of; where objectives are about maxima, these are looked at.
+void choose_extrema(const Report& report, PictureOptions& options) {
+  options.maxima = counts_maxima(report.objective);
+  options.minima = report.objective != Objective::min_local_maxima;
+  for (const LaterValue& later : report.then) {
+    options.maxima |= counts_maxima(later.objective);
+    options.minima |= counts_minima(later.objective);
+  }
 }
 
 std::string caption_of(const TriangulateResult& result) {
@@ -39,10 +43,28 @@ std::string caption_of(const TriangulateResult& result) {
       fmt::format("{}o circle of a triangle holds more than {}.",
                   result.tin.points.has_heights() ? "No height was changed, and n" : "N",
                   counted(report.order, "point"));
-  if (report.value)
-    caption += fmt::format(" {}: {:.9g} → {:.9g}, proven bound {:.9g}.", name_of(report.objective),
-                           report.value->delaunay, report.value->result, report.value->bound);
+  const auto add_value = [&](const Objective& objective, const Value& value) {
+    caption += fmt::format(" {}: {:.9g} → {:.9g}, proven bound {:.9g}.", name_of(objective),
+                           value.delaunay, value.result, value.bound);
+  };
+  if (report.value) add_value(report.objective, *report.value);
+  for (const LaterValue& later : report.then) add_value(later.objective, later.value);
   return caption;
+}
+
+/// "min-local-minima, then min-sum-abn".
+std::string objectives_of(const Report& report) {
+  std::string names = name_of(report.objective);
+  for (const LaterValue& later : report.then) names += ", then " + name_of(later.objective);
+  return names;
+}
+
+/// Minima that were to stay and did, in ascending order.
+std::vector<Index> kept_minima(const TriangulateResult& result) {
+  std::vector<Index> kept;
+  for (const MinimumChange& minimum : result.report.changes.minima)
+    if (minimum.fate == Fate::kept) kept.push_back(minimum.vertex);
+  return kept;
 }
 
 std::vector<std::array<Point, 2>> pieces_of(const Joined& joined) {
@@ -87,10 +109,11 @@ void write_picture(const PictureArguments& arguments, const std::string& name,
   options.title = fmt::format("{}: Delaunay and order {}",
                               std::filesystem::path(name).filename().string(), order);
   options.before = joined.constraints.empty() ? "Delaunay" : "Constrained Delaunay";
-  options.after = fmt::format("order {}, {}", order, name_of(result.report.objective));
+  options.after = fmt::format("order {}, {}", order, objectives_of(result.report));
   options.caption = caption_of(result);
   if (!arguments.window.empty()) options.window = parse_window(arguments.window);
-  choose_extrema(result.report.objective, options);
+  choose_extrema(result.report, options);
+  options.kept = kept_minima(result);
   options.lines = pieces_of(joined);
   options.unit = units.horizontal;
   options.height_unit = units.vertical;

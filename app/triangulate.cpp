@@ -228,7 +228,8 @@ int run(const Arguments& arguments) {
   check_constraints(arguments.constraints, input, arguments.output, arguments.json);
 
   check_changes(arguments.changes, inputs_of(arguments), {{arguments.output, arguments.json}});
-  options.tell_changes = arguments.changes.any();
+  const bool draws_kept = arguments.picture.any() && arguments.keep.any();
+  options.tell_changes = arguments.changes.any() || draws_kept;
   check_picture(arguments.picture, inputs_of(arguments),
                 {{arguments.output, arguments.json, arguments.raster.hillshade,
                   arguments.changes.pits, arguments.changes.changed}});

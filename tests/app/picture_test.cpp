@@ -169,5 +169,28 @@ TEST_F(PictureCommand, RefusesWhatCannotBe) {
   EXPECT_EQ(content_of(directory_ / "view.svg"), "an existing picture");
 }
 
+TEST_F(PictureCommand, MarksMinimaApartThatWereToStay) {
+  sample("jacksboro -n 2000");
+  const std::string svg = picture("points.csv -k 8 --min-pit-depth 3 --json report.json");
+  const std::size_t kept = json("report.json")["kept"].get<std::size_t>();
+  EXPECT_GT(kept, 0u);
+  EXPECT_EQ(count(svg, "class=\"held\""), 2 * kept);
+  EXPECT_NE(svg.find(">local minimum that was to stay (" + std::to_string(kept) + " here)<"),
+            std::string::npos);
+  EXPECT_EQ(picture("points.csv -k 8").find("was to stay"), std::string::npos);
+}
+
+TEST_F(PictureCommand, NamesAllObjectivesOfAList) {
+  sample("jacksboro -n 500");
+  const std::string svg =
+      picture("points.csv -k 2 --objective min-local-minima,min-sum-abn,min-local-maxima");
+  std::string caption = svg.substr(svg.find("No height was changed"));
+  EXPECT_NE(svg.find("order 2, min-local-minima, then min-sum-abn, then min-local-maxima: "),
+            std::string::npos);
+  for (const char* name : {"min-local-minima: ", "min-sum-abn: ", "min-local-maxima: "})
+    EXPECT_NE(caption.find(name), std::string::npos) << name;
+  EXPECT_NE(svg.find(">local maximum that stays ("), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hodt

@@ -108,6 +108,18 @@ TEST(Difference, BreaksEqualHeightsByPlace) {
   EXPECT_EQ(difference(level, level).minima.remaining, (std::vector<Index>{0}));
 }
 
+TEST(Difference, SetsMinimaApartThatWereToStay) {
+  const std::vector<Index> kept = {0, 1, 3};
+  const Difference same = difference(dammed(), dammed(), kept);
+  EXPECT_EQ(same.minima.kept, (std::vector<Index>{0, 1}));
+  EXPECT_TRUE(same.minima.remaining.empty());
+  EXPECT_EQ(same.minima.before(), 2u);
+  EXPECT_EQ(same.minima.after(), 2u);
+  const Difference found = difference(dammed(), drained(), std::vector<Index>{0});
+  EXPECT_TRUE(found.minima.kept.empty()) << "it went";
+  EXPECT_EQ(found.minima.remaining, (std::vector<Index>{1}));
+}
+
 TEST(Difference, CountsNoVertexWithoutTriangle) {
   Tin tin = dammed();
   tin.points.xy.push_back({9, 9});

@@ -80,7 +80,7 @@ std::vector<Index> orders_of(const std::vector<Edge>& edges, const Tin& tin) {
 
 }  // namespace
 
-Difference difference(const Tin& before, const Tin& after) {
+Difference difference(const Tin& before, const Tin& after, std::span<const Index> kept) {
   const std::vector<Edge> old_edges = edges_of(before);
   const std::vector<Edge> new_edges = edges_of(after);
   Difference result;
@@ -92,6 +92,10 @@ Difference difference(const Tin& before, const Tin& after) {
     const Extrema old_extrema = extrema_of(before.points, old_edges);
     const Extrema new_extrema = extrema_of(after.points, new_edges);
     result.minima = change(old_extrema.minima, new_extrema.minima);
+    std::vector<Index>& remaining = result.minima.remaining;
+    std::set_intersection(remaining.begin(), remaining.end(), kept.begin(), kept.end(),
+                          std::back_inserter(result.minima.kept));
+    remaining = without(remaining, result.minima.kept);
     result.maxima = change(old_extrema.maxima, new_extrema.maxima);
   }
   return result;

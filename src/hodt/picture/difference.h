@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "hodt/base/ids.h"
@@ -17,11 +18,12 @@ using Edge = std::array<Index, 2>;
 /// Local minima, or maxima, of two triangulations: vertices with no lower, or higher, neighbour.
 struct ExtremaChange {
   std::vector<Index> vanished;   ///< of the first only
-  std::vector<Index> remaining;  ///< of both
+  std::vector<Index> remaining;  ///< of both, but for those kept
+  std::vector<Index> kept;       ///< of both, which were to stay
   std::vector<Index> made;       ///< of the second only
 
-  std::size_t before() const { return vanished.size() + remaining.size(); }
-  std::size_t after() const { return made.size() + remaining.size(); }
+  std::size_t before() const { return vanished.size() + remaining.size() + kept.size(); }
+  std::size_t after() const { return made.size() + remaining.size() + kept.size(); }
 };
 
 struct Difference {
@@ -32,7 +34,7 @@ struct Difference {
   ExtremaChange minima, maxima;    ///< empty without heights
 };
 
-/// Requires the same points in both.
-Difference difference(const Tin& before, const Tin& after);
+/// Requires the same points in both; `kept` are minima that were to stay, in ascending order.
+Difference difference(const Tin& before, const Tin& after, std::span<const Index> kept = {});
 
 }  // namespace hodt

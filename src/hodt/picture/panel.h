@@ -41,6 +41,7 @@ inline constexpr LineStyle kBreakline{"breakline", "#111111", 3.2, 1, true};
 inline constexpr MarkStyle kVanished{"vanished", MarkStyle::Shape::circle, 6.5, "#f7b52c", 1, 2};
 inline constexpr MarkStyle kWasThere{"gone", MarkStyle::Shape::circle, 3, "#f7b52c", 1, 1};
 inline constexpr MarkStyle kRemaining{"remains", MarkStyle::Shape::circle, 5, "#ffffff", 0.7, 1.7};
+inline constexpr MarkStyle kHeld{"held", MarkStyle::Shape::circle, 5.5, "#0b4f8a", 1, 1.7};
 inline constexpr MarkStyle kMade{"made", MarkStyle::Shape::square, 5, "#56b4e9", 1, 2};
 
 /// The same for maxima.

@@ -115,7 +115,7 @@ class Page {
       : before_(before),
         after_(after),
         options_(options),
-        changes_(difference(before, after)),
+        changes_(difference(before, after, options.kept)),
         classes_(order_classes(changes_)),
         border_(boundary_edges(after.triangles)),
         view_(choose_window(after.points, changes_, options)) {
@@ -182,7 +182,8 @@ class Page {
     for (const std::vector<Edge>* edges : {&changes_.removed, &changes_.added})
       for (const Edge& edge : *edges) count += meets(view_, after_, edge) ? 1 : 0;
     for (const ExtremaChange* extrema : shown_extrema())
-      for (const auto* vertices : {&extrema->vanished, &extrema->remaining, &extrema->made})
+      for (const auto* vertices :
+           {&extrema->vanished, &extrema->remaining, &extrema->kept, &extrema->made})
         count += here(*vertices);
     if (count > kMostDrawn)
       throw ParameterError(fmt::format(
@@ -239,6 +240,7 @@ class Page {
   static void draw_marks(const Panel& panel, const ExtremaChange& extrema, bool is_before,
                          const Restyle& restyle) {
     panel.marks(extrema.remaining, restyle(kRemaining));
+    panel.marks(extrema.kept, restyle(kHeld));
     panel.marks(extrema.vanished, restyle(is_before ? kVanished : kWasThere));
     if (!is_before) panel.marks(extrema.made, restyle(kMade));
   }
@@ -276,6 +278,9 @@ class Page {
       if (here(extrema.vanished) > 0) items.push_back({restyle(kWasThere), "where it was"});
       items.push_back({restyle(kRemaining), fmt::format("local {} that stays ({} here)", name,
                                                         here(extrema.remaining))});
+      if (!extrema.kept.empty())
+        items.push_back({restyle(kHeld), fmt::format("local {} that was to stay ({} here)", name,
+                                                     here(extrema.kept))});
       if (here(extrema.made) > 0)
         items.push_back(
             {restyle(kMade), fmt::format("new local {} ({} here)", name, here(extrema.made))});

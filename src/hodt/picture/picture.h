@@ -28,6 +28,8 @@ struct PictureOptions {
   /// Which local extrema are marked, where there are heights.
   bool minima = true;
   bool maxima = false;
+  /// Minima that were to stay, in ascending order, which are marked apart where they did.
+  std::vector<Index> kept = {};
   /// Breaklines, by the ends of their pieces.
   std::vector<std::array<Point, 2>> lines = {};
   /// The unit of coordinates: "m", "ft", "°"; empty: not known. That of heights likewise.
