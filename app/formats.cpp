@@ -11,6 +11,7 @@
 #include "app/outputs.h"
 #include <fmt/format.h>
 
+#include "hodt/base/error.h"
 #include "hodt/io/raster_file.h"
 
 namespace hodt::app {
@@ -83,6 +84,17 @@ std::string markdown() {
   return text;
 }
 
+/// Some of the table depend on a library that may be missing where hodt runs.
+std::string about_gdal() {
+  std::string state = "it is there";
+  try {
+    check_raster_output("any.tif");
+  } catch (const ParameterError& error) {
+    state = error.what();
+  }
+  return fmt::format("Map features but GeoJSON, and rasters, need GDAL: {}.\n", state);
+}
+
 std::string plain_text() {
   const std::vector<Row> rows = table();
   std::vector<std::size_t> widths(rows.front().size());
@@ -97,7 +109,8 @@ std::string plain_text() {
   return text +
          "\nWhat can be read may also be packed with gzip, the name ending in .gz, and points may "
          "be "
-         "written so.\nThe last three columns are of meshes that are written.\n";
+         "written so.\nThe last three columns are of meshes that are written.\n" +
+         about_gdal();
 }
 
 Json to_json(const Format& format) {

@@ -25,6 +25,15 @@ TEST_F(Formats, AreListed) {
   expect_refused("formats --json none/a.json", "there is no directory");
 }
 
+TEST_F(Formats, ThatNeedGdalSayWhetherItIsThere) {
+  const std::string out = run("formats").out;
+  const std::size_t at = out.find("need GDAL: ");
+  ASSERT_NE(at, std::string::npos) << out;
+  put("plane.csv", "x,y,z\n0,0,0\n9,0,0\n0,9,0\n");
+  const int made = run("triangulate plane.csv -k 0 --resolution 3 -o plane.tif").exit_code;
+  EXPECT_EQ(out.substr(at).starts_with("need GDAL: it is there.\n"), made == 0) << out;
+}
+
 TEST_F(Formats, AreToldToPrograms) {
   const Json all = Json::parse(run("formats --json -").out);
   bool has_stl = false;
