@@ -195,6 +195,15 @@ Json then_json(const ObjectiveComparison& objective, std::size_t order) {
   return list;
 }
 
+/// Of a surface on a raster of truth; null without one.
+Json land_json(const std::optional<LandFit>& land) {
+  if (!land) return nullptr;
+  return {{"slope_error", optional_json(land->slope_error)},
+          {"fill_volume", to_json(land->fill.volume)},
+          {"fill_depth", to_json(land->fill.depth)},
+          {"stream_agreement", optional_json(land->stream_agreement)}};
+}
+
 Json row_json(const ObjectiveComparison& objective, std::size_t order) {
   const ComparisonRow& row = objective.rows[order];
   const std::optional<Fit>& fit = row.fit;
@@ -212,6 +221,7 @@ Json row_json(const ObjectiveComparison& objective, std::size_t order) {
           {"pits", pits_json(row.pits)},
           {"rmse", fit ? to_json(fit->rmse) : Json(nullptr)},
           {"max_error", fit ? to_json(fit->max_error) : Json(nullptr)},
+          {"land", land_json(row.land)},
           {"seconds", row.seconds}};
 }
 
@@ -222,7 +232,9 @@ Json truth_json(const Comparison& comparison) {
       {"points", truth.points},
       {"outside", truth.outside},
       {"delaunay_rmse", truth.delaunay ? to_json(truth.delaunay->rmse) : Json(nullptr)},
-      {"delaunay_max_error", truth.delaunay ? to_json(truth.delaunay->max_error) : Json(nullptr)}};
+      {"delaunay_max_error", truth.delaunay ? to_json(truth.delaunay->max_error) : Json(nullptr)},
+      {"delaunay_land", land_json(truth.delaunay_land)},
+      {"land_fill_volume", truth.delaunay_land ? to_json(truth.land_fill.volume) : Json(nullptr)}};
 }
 
 /// A mesh that was to be improved.
@@ -350,6 +362,7 @@ int run(const Arguments& arguments) {
                         display_name(input)));
       truth = read_truth(arguments.truth, arguments.truth_columns);
       require_same_crs(input, read.crs, arguments.truth, truth->points.crs);
+      options.truth_grid = truth->grid;
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
     naming_lines(input, joined, [&] {
@@ -398,8 +411,10 @@ void add_compare(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->type_name("OBJ");
   command
-      .add_option("--truth", arguments->truth,
-                  "Points with known heights; each surface's errors there are told")
+      .add_option(
+          "--truth", arguments->truth,
+          "Points with known heights; each surface's errors there are told. Of a raster also\n"
+          "how slopes and streams agree with its own, and what it takes to fill pits")
       ->type_name("FILE");
   add_columns(command, "--truth-columns", arguments->truth_columns,
               "Columns of the truth that hold x, y and z, as in --columns");
@@ -424,7 +439,8 @@ void add_compare(CLI::App& app, Action& action) {
       "  hodt compare terrain.csv --objective min-local-minima+min-sum-abn,min-sum-abn\n"
       "  hodt compare survey.csv --breaklines roads.geojson --outline site.geojson\n"
       "  hodt compare mesh.obj --objective min-max-angle\n"
-      "  hodt compare sample.csv --objective all --truth withheld.csv -o report.html");
+      "  hodt compare sample.csv --objective all --truth withheld.csv -o report.html\n"
+      "  hodt compare sample.csv --objective terrain --orders 0,8,24 --truth dem.tif");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 

@@ -66,9 +66,11 @@ class Comparer {
  public:
   Comparer(const PointSet& points, const PointSet* truth, const ComparisonOptions& options,
            const Constraints& constraints)
-      : points_(points), truth_(truth), options_(options), constraints_(constraints) {}
+      : points_(points), truth_(truth), options_(options), constraints_(constraints) {
+    if (truth && options.truth_grid) land_.emplace(*options.truth_grid, *truth);
+  }
 
-  Comparison run() const {
+  Comparison run() {
     Prepared prepared = prepare(points_,
                                 {.min_pit_depth = options_.min_pit_depth,
                                  .keep = options_.keep,
@@ -97,13 +99,16 @@ class Comparer {
   }
 
  private:
-  TruthSummary truth_summary(const Tin& delaunay) const {
+  TruthSummary truth_summary(const Tin& delaunay) {
     const Errors errors(delaunay, *truth_);
-    return {truth_->size(), truth_->size() - errors.count(), errors.fit()};
+    TruthSummary summary{truth_->size(), truth_->size() - errors.count(), errors.fit()};
+    if (!land_) return summary;
+    summary.delaunay_land = land_->fit_of(delaunay);
+    summary.land_fill = land_->fill();
+    return summary;
   }
 
-  ObjectiveComparison compared(const Prepared& prepared,
-                               const std::vector<Objective>& objectives) const {
+  ObjectiveComparison compared(const Prepared& prepared, const std::vector<Objective>& objectives) {
     ObjectiveComparison comparison{objectives, {}};
     for (const Index k : options_.orders) {
       const TriangulateResult result = triangulated(prepared, objectives, k);
@@ -133,7 +138,7 @@ class Comparer {
     return triangulate(points_, prepared, options);
   }
 
-  ComparisonRow row(const TriangulateResult& result) const {
+  ComparisonRow row(const TriangulateResult& result) {
     const Report& report = result.report;
     ComparisonRow row;
     row.k = report.k;
@@ -145,12 +150,14 @@ class Comparer {
     if (report.extrema_result) row.local_minima = report.extrema_result->minima.total();
     row.pits = report.pits;
     if (truth_) row.fit = Errors(result.tin, *truth_).fit();
+    if (land_) row.land = land_->fit_of(result.tin);
     row.seconds = report.seconds.optimize;
     return row;
   }
 
   const PointSet& points_;
   const PointSet* truth_;
+  std::optional<Land> land_;
   const ComparisonOptions& options_;
   const Constraints& constraints_;
 };

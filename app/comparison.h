@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/land.h"
+
 #include "hodt/base/ids.h"
 #include "hodt/base/progress.h"
 #include "hodt/geometry/point_set.h"
@@ -33,6 +35,7 @@ struct ComparisonRow {
   std::optional<std::size_t> local_minima;  ///< empty without heights
   std::optional<PitTotals> pits;            ///< likewise
   std::optional<Fit> fit;                   ///< empty without truth inside the hull
+  std::optional<LandFit> land;              ///< empty unless the truth is a raster
   double seconds = 0;
 
   /// Of the result to the bound, in percent of the result; empty if the result is 0 and not
@@ -63,6 +66,8 @@ struct TruthSummary {
   std::size_t points = 0;
   std::size_t outside = 0;  ///< of the hull: not compared with
   std::optional<Fit> delaunay;
+  std::optional<LandFit> delaunay_land = {};  ///< of a raster
+  FillTotals land_fill = {};                  ///< likewise: of its own pits
 };
 
 struct Comparison {
@@ -88,6 +93,8 @@ struct ComparisonOptions {
   /// As in TriangulateOptions, for (first) objectives that count minima.
   double min_pit_depth = 0;
   Places keep;
+  /// If the points of the truth are the centres of a raster's cells.
+  std::optional<Grid> truth_grid = {};
   Progress progress;
 };
 

@@ -82,6 +82,26 @@ ColumnFormat format_of_errors(const Comparison& comparison) {
   return format;
 }
 
+ColumnFormat format_of_fill(const Comparison& comparison) {
+  ColumnFormat format(5);
+  if (comparison.truth && comparison.truth->delaunay_land) {
+    format.include(comparison.truth->delaunay_land->fill.volume);
+    format.include(comparison.truth->land_fill.volume);
+  }
+  for (const ObjectiveComparison& objective : comparison.objectives)
+    for (const ComparisonRow& row : objective.rows)
+      if (row.land) format.include(row.land->fill.volume);
+  return format;
+}
+
+/// Error of slopes, agreement of streams.
+std::string slope_text(const LandFit& land) {
+  return land.slope_error ? fmt::format("{:.2f}°", *land.slope_error) : kNothing;
+}
+std::string streams_text(const LandFit& land) {
+  return land.stream_agreement ? fmt::format("{:.3f}", *land.stream_agreement) : kNothing;
+}
+
 /// Interior minima, sum of depths, largest depth, volume.
 class PitCells {
  public:
@@ -129,6 +149,8 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
   const PitCells pits(comparison);
   const bool heights = !objective.rows.empty() && objective.rows[0].local_minima.has_value();
   const bool fits = comparison.truth && comparison.truth->delaunay;
+  const bool flows = comparison.truth && comparison.truth->delaunay_land;
+  const ColumnFormat fill = format_of_fill(comparison);
 
   const bool means = !objective.rows.empty() && objective.rows[0].mean_angle.has_value();
 
@@ -138,6 +160,7 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
     table.headings.insert(table.headings.end(),
                           {"local minima", "interior", "pit depth", "deepest", "pit volume"});
   if (fits) table.headings.insert(table.headings.end(), {"RMSE", "max error"});
+  if (flows) table.headings.insert(table.headings.end(), {"slope error", "fill volume", "streams"});
   table.headings.push_back("seconds");
 
   for (const ComparisonRow& row : objective.rows) {
@@ -157,6 +180,11 @@ Table table_of(const Comparison& comparison, const ObjectiveComparison& objectiv
     if (fits) {
       cells.push_back(row.fit ? error.text(row.fit->rmse) : kNothing);
       cells.push_back(row.fit ? error.text(row.fit->max_error) : kNothing);
+    }
+    if (flows) {
+      const LandFit& land = *row.land;
+      cells.insert(cells.end(),
+                   {slope_text(land), fill.text(land.fill.volume), streams_text(land)});
     }
     cells.push_back(fmt::format("{:.3f}", row.seconds));
     table.rows.push_back(std::move(cells));
@@ -242,6 +270,14 @@ std::vector<Fact> facts_of(const Comparison& comparison) {
     facts.push_back(
         {"Delaunay", fmt::format("RMSE {}, largest error {}", error.text(truth.delaunay->rmse),
                                  error.text(truth.delaunay->max_error))});
+  }
+  if (const std::optional<LandFit>& land = truth.delaunay_land) {
+    const ColumnFormat fill = format_of_fill(comparison);
+    facts.push_back(
+        {"water", fmt::format("Delaunay: fill volume {}, of the land itself {}; agreement of "
+                              "streams {}; slope error {}",
+                              fill.text(land->fill.volume), fill.text(truth.land_fill.volume),
+                              streams_text(*land), slope_text(*land))});
   }
   return facts;
 }

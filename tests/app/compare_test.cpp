@@ -7,6 +7,8 @@
 #include "command_fixture.h"
 #include <gtest/gtest.h>
 
+#include "hodt/io/formats.h"
+
 namespace hodt {
 namespace {
 
@@ -379,6 +381,59 @@ TEST_F(CompareCommand, MeasuresErrors) {
   EXPECT_EQ(far["truth"]["outside"], 1);
   EXPECT_TRUE(far["truth"]["delaunay_rmse"].is_null());
   EXPECT_TRUE(far["objectives"][0]["rows"][0]["rmse"].is_null());
+}
+
+/// A level surface over land that has a pit, 3 deep in one cell of 2 by 2.
+TEST_F(CompareCommand, follows_water_on_a_raster_of_truth) {
+  if (!has_gdal()) GTEST_SKIP() << "rasters are read by GDAL";
+  put("points.csv", "x,y,z\n0,0,5\n12,0,5\n12,12,5\n0,12,5\n");
+  const std::string row = "5 5 5 5 5 5\n";
+  put("land.asc", "ncols 6\nnrows 6\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9\n" +
+                      row + row + "5 5 2 5 5 5\n" + row + row + row);
+  const Json level = compared("points.csv --truth land.asc --orders 0");
+  EXPECT_EQ(level["truth"]["land_fill_volume"], 12);
+  EXPECT_EQ(level["truth"]["delaunay_rmse"], 0.5);
+  const Json land = level["objectives"][0]["rows"][0]["land"];
+  EXPECT_EQ(land, level["truth"]["delaunay_land"]);
+  EXPECT_EQ(land["fill_volume"], 0);
+  EXPECT_EQ(land["fill_depth"], 0);
+  // Beside the pit are four of the 16 cells that have four neighbours: there it drops by 3 in 4.
+  EXPECT_NEAR(land["slope_error"], std::atan(0.75) * 180 / std::acos(-1.0) / 2, 1e-9);
+  EXPECT_TRUE(land["stream_agreement"].is_null());
+  const std::string text = run("compare points.csv --truth land.asc --orders 0").out;
+  EXPECT_NE(text.find("of the land itself 12"), std::string::npos) << text;
+
+  // The cells of the land as points; and half of the land, where the surface ends.
+  const Json same = compared("land.asc --truth land.asc --orders 0,2");
+  for (const Json& each : same["objectives"][0]["rows"]) {
+    EXPECT_EQ(each["land"]["fill_volume"], 12);
+    EXPECT_EQ(each["land"]["fill_depth"], 3);
+    EXPECT_EQ(each["land"]["slope_error"], 0);
+  }
+  put("half.csv", "x,y,z\n0,0,5\n12,0,5\n12,5,5\n0,5,5\n");
+  EXPECT_EQ(compared("half.csv --truth land.asc --orders 0")["truth"]["land_fill_volume"], 0);
+
+  put("cells.csv", "x,y,z\n1,1,5\n3,3,5\n");
+  const Json points = compared("points.csv --truth cells.csv --orders 0");
+  EXPECT_TRUE(points["truth"]["delaunay_land"].is_null());
+  EXPECT_TRUE(points["objectives"][0]["rows"][0]["land"].is_null());
+}
+
+/// Streams of an eroded landscape, by a sample of a fifth of it.
+TEST_F(CompareCommand, compares_streams) {
+  if (!has_gdal()) GTEST_SKIP() << "rasters are read by GDAL";
+  ASSERT_EQ(run("sample valley -n 20000 -o all.csv").exit_code, 0);
+  ASSERT_EQ(run("triangulate all.csv -k 0 --objective none -o all.ply").exit_code, 0);
+  ASSERT_EQ(run("sample valley -n 4000 -o few.csv").exit_code, 0);
+  ASSERT_EQ(run("raster all.ply --resolution 10 -o land.tif").exit_code, 0);
+  const Json comparison =
+      compared("few.csv --truth land.tif --orders 0,8 --objective min-local-minima+min-sum-abn");
+  const Json delaunay = comparison["truth"]["delaunay_land"];
+  const Json& rows = comparison["objectives"][0]["rows"];
+  EXPECT_EQ(rows[0]["land"], delaunay);
+  EXPECT_GT(delaunay["stream_agreement"], 0.3);
+  EXPECT_LT(delaunay["stream_agreement"], 1);
+  EXPECT_LT(rows[1]["land"]["fill_volume"], delaunay["fill_volume"]);
 }
 
 TEST_F(CompareCommand, WritesAPage) {

@@ -10,6 +10,7 @@
 #include "hodt/io/input_text.h"
 #include "hodt/io/point_choice.h"
 #include "hodt/io/table_layout.h"
+#include "hodt/tin/raster.h"
 
 namespace hodt {
 
@@ -19,6 +20,9 @@ struct PointTable {
   TakenColumns columns;
   /// What may be wrong with the points although they could be read, each a sentence.
   std::vector<std::string> warnings;
+  /// The raster that has the points for centres of its cells, row after row, if it lies along the
+  /// axes and all its rows and columns were taken.
+  std::optional<Grid> grid = {};
 };
 
 /// Parses a table of points. docs/points.md says which tables are understood; what is not, is

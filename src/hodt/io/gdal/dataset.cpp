@@ -46,4 +46,15 @@ Affine affine_of(GDALDatasetH dataset, const std::string& name) {
   return g;
 }
 
+std::optional<Grid> grid_of(GDALDatasetH dataset, const Affine& g) {
+  const bool is_upright = g[2] == 0 && g[4] == 0 && g[1] > 0 && g[5] < 0;
+  if (!is_upright) return std::nullopt;
+  return Grid{g[0],
+              g[3],
+              g[1],
+              -g[5],
+              static_cast<std::size_t>(gdal().GDALGetRasterXSize(dataset)),
+              static_cast<std::size_t>(gdal().GDALGetRasterYSize(dataset))};
+}
+
 }  // namespace hodt

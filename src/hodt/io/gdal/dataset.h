@@ -5,9 +5,11 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "hodt/io/gdal/api.h"
+#include "hodt/tin/raster.h"
 
 namespace hodt {
 
@@ -27,5 +29,8 @@ using Affine = std::array<double, 6>;
 
 /// Throws InputError, with the name, if the raster says nothing of it or its cells have no size.
 Affine affine_of(GDALDatasetH dataset, const std::string& name);
+
+/// The cells, if their columns go east and their rows south.
+std::optional<Grid> grid_of(GDALDatasetH dataset, const Affine& g);
 
 }  // namespace hodt

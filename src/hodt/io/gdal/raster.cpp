@@ -1,5 +1,6 @@
 #include "hodt/io/gdal/raster.h"
 
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -89,17 +90,14 @@ void require_gdal() {
 
 GridOfFile read_grid(const std::filesystem::path& path) {
   const Dataset dataset = open_dataset(path, DatasetKind::raster);
-  const Affine g = affine_of(dataset.get(), display_name(path));
-  const bool is_upright = g[2] == 0 && g[4] == 0 && g[1] > 0 && g[5] < 0;
-  if (!is_upright)
+  const std::optional<Grid> grid =
+      grid_of(dataset.get(), affine_of(dataset.get(), display_name(path)));
+  if (!grid)
     throw InputError(
         fmt::format("{} is turned: its columns do not go east and its rows south; turn it with "
                     "gdalwarp first",
                     display_name(path)));
-  return {
-      {g[0], g[3], g[1], -g[5], static_cast<std::size_t>(gdal().GDALGetRasterXSize(dataset.get())),
-       static_cast<std::size_t>(gdal().GDALGetRasterYSize(dataset.get()))},
-      crs_text(gdal().GDALGetSpatialRef(dataset.get()))};
+  return {*grid, crs_text(gdal().GDALGetSpatialRef(dataset.get()))};
 }
 
 }  // namespace hodt

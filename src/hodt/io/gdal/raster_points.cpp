@@ -163,6 +163,7 @@ PointTable read_raster_points(const std::filesystem::path& path, const PointChoi
   PointTable table;
   table.points = centres(dataset.get(), band, stride, name);
   if (table.points.size() == 0) throw InputError(name + ": no cell of it has a value");
+  if (stride == 1) table.grid = grid_of(dataset.get(), affine_of(dataset.get(), name));
   table.points.crs = crs_text(gdal().GDALGetSpatialRef(dataset.get()));
   table.columns.source =
       fmt::format("centres of cells, z = band {} of {}{}", std::max<Index>(choice.raster.band, 1),
