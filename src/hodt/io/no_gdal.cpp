@@ -62,7 +62,7 @@ std::string read_layer_features(const std::filesystem::path&, const std::string&
 struct RasterWriter::State {};
 
 RasterWriter::RasterWriter(const std::filesystem::path&, const Grid&, const std::string&,
-                           RasterType, double) {
+                           RasterType, double, std::size_t) {
   refuse();
 }
 
