@@ -43,11 +43,12 @@ inside '
   hodt check terrain.ply -k 4
   for page in hodt hodt-triangulate hodt-check; do test -e /usr/share/doc/hodt/copyright; dpkg -L hodt | grep -q "/man1/$page.1.gz"; done
   bash -c "source /usr/share/bash-completion/completions/hodt && complete -p hodt"
+  hodt formats | grep -q "GDAL: .*cannot be loaded"
   if hodt raster terrain.ply --resolution 5 -o dem.tif; then exit 1; fi  # says that GDAL is not there
   test ! -e dem.tif'
 say "With what hodt recommends"
 install "$(dpkg-deb -f "$packages"/hodt_*.deb Recommends | tr -d ,)"
-inside 'cd /tmp && hodt raster terrain.ply --resolution 5 -o dem.tif && hodt info dem.tif'
+inside 'cd /tmp && hodt formats | grep -q "GDAL: it is there" && hodt raster terrain.ply --resolution 5 -o dem.tif && hodt info dem.tif'
 
 say "libhodt-dev: a project that uses CMake, and a program compiled with pkg-config"
 install '/packages/libhodt-dev_*.deb g++ cmake make pkg-config'
