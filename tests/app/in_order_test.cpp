@@ -45,7 +45,7 @@ TEST_F(InOrderCommand, terrain_stands_for_a_list_and_its_order) {
   sample();
   const auto mesh = [&](const std::string& options) {
     EXPECT_EQ(run("triangulate points.csv -o mesh.ply " + options).exit_code, 0);
-    return content_of(directory_ / "mesh.ply");
+    return test::content_of(directory_ / "mesh.ply");
   };
   EXPECT_EQ(mesh("--objective terrain"), mesh("-k 8 --objective min-local-minima,min-sum-abn"));
   EXPECT_EQ(mesh("--objective terrain -k 2"),
