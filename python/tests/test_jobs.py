@@ -311,15 +311,20 @@ def test_threads_that_come_and_go_leave_nothing():
     assert len(os.listdir("/proc/self/task")) < threads + 10  # some are on their way out
 
 
-def test_signals_are_left_to_python():
-    points = hodt.sample("valley", 3000)
-    hodt.triangulate(points, 2)  # its threads stay
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGUSR1])
-    try:
-        os.kill(os.getpid(), signal.SIGUSR1)
-        assert signal.sigtimedwait([signal.SIGUSR1], 10) is not None
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+def test_signals_are_left_to_other_threads():
+    program = """
+import hodt, numpy, os, signal
+points = numpy.random.default_rng(1).random((20_000, 3))
+before = set(os.listdir("/proc/self/task"))
+hodt.triangulate(points, 2)
+for task in set(os.listdir("/proc/self/task")) - before:
+    with open(f"/proc/self/task/{task}/status") as status:
+        blocked = next(int(line.split()[1], 16) for line in status if line.startswith("SigBlk"))
+    print(*(bool(blocked >> s - 1 & 1) for s in (signal.SIGINT, signal.SIGUSR1, signal.SIGSEGV)))
+"""
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
+    assert run.returncode == 0, run.stderr
+    assert set(run.stdout.splitlines()) == {"True True False"}
 
 
 def test_importing_twice_and_exiting_early():
