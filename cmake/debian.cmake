@@ -61,16 +61,22 @@ foreach(package IN LISTS packages)
           DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT ${component})
 endforeach()
 
-# As debhelper does: pages are packed, and the compiler's name is no part of a library.
+# As debhelper does: pages are packed, and the compiler's name is no part of what it made.
 install(CODE "file(GLOB pages \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1/*.1\")
               execute_process(COMMAND gzip -9nf \${pages} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT runtime)
 install(CODE "file(GLOB libraries \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libhodt_*.a\")
               execute_process(COMMAND strip --strip-debug --remove-section=.comment --enable-deterministic-archives
                                       \${libraries} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT development)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libhodt-dev COMPONENT development)
+function(hodt_forget_compiler file component)
+  install(CODE "execute_process(COMMAND strip --remove-section=.comment \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${file}\"
+                                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
+endfunction()
+hodt_forget_compiler(${CMAKE_INSTALL_BINDIR}/$<TARGET_FILE_NAME:hodt_program> runtime)
 if(HODT_BUILD_PYTHON)
   set(modules lib/python3/dist-packages)
   install(TARGETS hodt_python LIBRARY DESTINATION ${modules}/hodt COMPONENT python)
+  hodt_forget_compiler(${modules}/hodt/$<TARGET_FILE_NAME:hodt_python> python)
   install(DIRECTORY python/hodt DESTINATION ${modules} COMPONENT python
           FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
   configure_file(${debian}/METADATA.in ${made}/python3-hodt/METADATA @ONLY)
