@@ -211,7 +211,7 @@ def compare(
     objectives: str | Iterable[str] = "min-local-minima",
     *,
     constraints: Constraints | None = None,
-    truth: ArrayLike | None = None,
+    truth: ArrayLike | _Path | None = None,
     time_limit: float = 0,
     min_pit_depth: float = 0,
     keep: ArrayLike | Places | _Path | None = None,

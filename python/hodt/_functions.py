@@ -1,6 +1,7 @@
 """The functions of the package."""
 
 import math
+import os
 import warnings
 
 import numpy as np
@@ -162,7 +163,8 @@ def compare(points, orders=range(9), objectives="min-local-minima", *, constrain
 
     orders, objectives: numbers and names, or one. Of "A+B", B counts among the triangulations that
         are as good for A, as triangulate() has it with a comma; `then` of a row has its value.
-    truth: points (t, 3) whose heights are known, to tell the errors.
+    truth: points (t, 3) whose heights are known, or a file of them, to tell the errors; of a raster
+        also how slopes and streams agree with its own, and what fills the pits: `land` of a row.
     The rest, and a Tin in place of points, is as in triangulate().
     """
     if isinstance(points, Tin) and constraints is not None:
@@ -176,10 +178,12 @@ def compare(points, orders=range(9), objectives="min-local-minima", *, constrain
         if isinstance(name, Measure) or not isinstance(name, str) or name == "none":
             raise ParameterError(f"objectives are to be names of what can be compared, not {name!r}")
     keeps = keep is not None or as_amount(min_pit_depth, "min_pit_depth") > 0
-    if keeps and not {"min-local-minima", "min-local-extrema"} & {n.split("+")[0] for n in names}:
+    if keeps and not {"min-local-minima", "min-local-extrema", "terrain"} & {n.split("+")[0] for n in names}:
         raise ParameterError("minima to keep are for objectives that remove minima")
     known = None
-    if truth is not None:
+    if isinstance(truth, (str, bytes, os.PathLike)):
+        known = as_path(truth)
+    elif truth is not None:
         known = as_points(truth, "truth")
         if known.shape[1] != 3:
             raise ParameterError("truth needs heights, shape (t, 3)")

@@ -1,6 +1,9 @@
 // What every order gains, for some objectives.
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/comparison.h"
@@ -9,10 +12,14 @@
 #include "job.h"
 #include "report.h"
 #include "sections.h"
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
+#include "hodt/base/error.h"
+#include "hodt/io/point_file.h"
 #include "hodt/pipeline/given_tin.h"
 
 namespace hodt::python {
@@ -37,6 +44,17 @@ nb::list then_list(const app::ObjectiveComparison& objective, std::size_t order)
   return list;
 }
 
+/// Of a surface on a raster of truth.
+nb::object land_dict(const std::optional<app::LandFit>& land) {
+  if (!land) return nb::none();
+  nb::dict dict;
+  dict["slope_error"] = or_none(land->slope_error);
+  dict["fill_volume"] = land->fill.volume;
+  dict["fill_depth"] = land->fill.depth;
+  dict["stream_agreement"] = or_none(land->stream_agreement);
+  return dict;
+}
+
 nb::dict row_dict(const app::ObjectiveComparison& objective, std::size_t order) {
   const app::ComparisonRow& row = objective.rows[order];
   nb::dict dict;
@@ -54,6 +72,7 @@ nb::dict row_dict(const app::ObjectiveComparison& objective, std::size_t order) 
   dict["pits"] = pits_dict(row.pits);
   dict["rmse"] = row.fit ? nb::cast(row.fit->rmse) : nb::none();
   dict["max_error"] = row.fit ? nb::cast(row.fit->max_error) : nb::none();
+  dict["land"] = land_dict(row.land);
   dict["seconds"] = row.seconds;
   return dict;
 }
@@ -65,6 +84,8 @@ nb::object truth_dict(const std::optional<app::TruthSummary>& truth) {
   dict["outside"] = truth->outside;
   dict["delaunay_rmse"] = truth->delaunay ? nb::cast(truth->delaunay->rmse) : nb::none();
   dict["delaunay_max_error"] = truth->delaunay ? nb::cast(truth->delaunay->max_error) : nb::none();
+  dict["delaunay_land"] = land_dict(truth->delaunay_land);
+  dict["land_fill_volume"] = truth->delaunay_land ? nb::cast(truth->land_fill.volume) : nb::none();
   return dict;
 }
 
@@ -114,14 +135,24 @@ JobOptions job_of(nb::handle wishes) {
   return {nb::cast<std::size_t>(wishes["threads"]), nb::borrow(wishes["progress"])};
 }
 
-app::Comparison compared(const PointSet& points, const std::optional<DoubleArray>& truth,
-                         const app::ComparisonOptions& options, const Constraints& constraints) {
+/// Points, or a file.
+using Truth = std::variant<std::monostate, DoubleArray, std::filesystem::path>;
+
+app::Comparison compared(const PointSet& points, const Truth& truth,
+                         app::ComparisonOptions& options, const Constraints& constraints) {
   std::optional<PointSet> known;
-  if (truth) known = InputPoints(*truth).set();
+  if (const auto* const array = std::get_if<DoubleArray>(&truth)) known = InputPoints(*array).set();
+  if (const auto* const file = std::get_if<std::filesystem::path>(&truth)) {
+    PointTable table = read_point_table(*file);
+    if (!table.points.has_heights())
+      throw InputError(file->string() + ": the truth needs heights, and the points have none");
+    known = std::move(table.points);
+    options.truth_grid = table.grid;
+  }
   return app::compare(points, known ? &*known : nullptr, options, constraints);
 }
 
-nb::dict compare_points(const DoubleArray& array, const std::optional<DoubleArray>& truth,
+nb::dict compare_points(const DoubleArray& array, const Truth& truth,
                         const std::vector<Index>& orders,
                         const std::vector<std::string>& objectives,
                         const ConstraintInput& constraints, nb::handle wishes) {
@@ -143,7 +174,7 @@ nb::dict compare_points(const DoubleArray& array, const std::optional<DoubleArra
 }
 
 nb::dict compare_tin(const PlaceArray& xy, const std::optional<HeightArray>& z,
-                     const IntegerArray& triangles, const std::optional<DoubleArray>& truth,
+                     const IntegerArray& triangles, const Truth& truth,
                      const std::vector<Index>& orders, const std::vector<std::string>& objectives,
                      nb::handle wishes) {
   app::ComparisonOptions options = options_of(orders, objectives, wishes);

@@ -341,6 +341,28 @@ def test_compare_as_the_command(command, tmp_path):
         hodt.compare(points[:, :2], 1)
 
 
+def test_compare_with_files_of_truth(command, tmp_path):
+    corners = [[0, 0, 5], [12, 0, 5], [12, 12, 5], [0, 12, 5]]
+    listed, land = tmp_path / "t.csv", tmp_path / "land.asc"
+    listed.write_text("x,y,z\n1,1,6\n3,3,5\n")
+    told = hodt.compare(corners, 0, truth=listed)
+    assert told == {**hodt.compare(corners, 0, truth=[[1, 1, 6], [3, 3, 5]]), "objectives": told["objectives"]}
+    assert told["truth"]["delaunay_rmse"] == pytest.approx(0.5**0.5) and told["truth"]["delaunay_land"] is None
+    with pytest.raises(hodt.FileError):
+        hodt.compare(corners, 0, truth=tmp_path / "none.csv")
+    if "GDAL: it is there" not in subprocess.run([command, "formats"], capture_output=True, text=True).stdout:
+        pytest.skip("rasters are read by GDAL")
+    cells = np.full((6, 6), 5)
+    cells[2, 2] = 2
+    rows = "\n".join(" ".join(map(str, row)) for row in cells)
+    land.write_text(f"ncols 6\nnrows 6\nxllcorner 0\nyllcorner 0\ncellsize 2\n{rows}\n")
+    told = hodt.compare(corners, 0, "terrain", truth=str(land))
+    assert told["truth"]["land_fill_volume"] == 12
+    [row] = told["objectives"][0]["rows"]
+    assert row["land"] == told["truth"]["delaunay_land"] and row["land"]["fill_volume"] == 0
+    assert row["land"]["slope_error"] == pytest.approx(np.degrees(np.arctan(0.75)) / 2)
+
+
 def test_compare_is_triangulate_for_every_order():
     points = hodt.sample("jacksboro", 300)
     lines = hodt.Constraints(edges=[[0, 299]])
