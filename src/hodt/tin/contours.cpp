@@ -221,20 +221,21 @@ std::vector<double> contour_levels(const Tin& tin, double interval, double base)
                     interval, base));
   std::vector<double> levels;
   if (tin.points.z.empty()) return levels;
-  const auto [low, high] = std::minmax_element(tin.points.z.begin(), tin.points.z.end());
-  const auto first_of = [&](double d) { return std::ceil(*low / d - base / d) - 1; };
-  const auto last_of = [&](double d) { return std::floor(*high / d - base / d) + 1; };
+  const auto [lowest, highest] = std::minmax_element(tin.points.z.begin(), tin.points.z.end());
+  const double low = *lowest, high = *highest;
+  const auto first_of = [&](double d) { return std::ceil(low / d - base / d) - 1; };
+  const auto last_of = [&](double d) { return std::floor(high / d - base / d) + 1; };
   constexpr double kMost = 1e7;
   const auto does = [&](double d) { return last_of(d) - first_of(d) <= kMost; };
   if (!does(interval))
     throw ParameterError(fmt::format(
         "an interval of {} makes more than the {} levels between {} and {} that there may be; "
         "choose a larger one, {} does",
-        interval, kMost, *low, *high, next_round_number(interval, does)));
+        interval, kMost, low, high, next_round_number(interval, does)));
   const double first = first_of(interval), last = last_of(interval);
   for (double i = first; i <= last; ++i) {
     const double level = base + i * interval;
-    if (*low <= level && level <= *high && (levels.empty() || level > levels.back()))
+    if (low <= level && level <= high && (levels.empty() || level > levels.back()))
       levels.push_back(level);
   }
   return levels;
