@@ -87,7 +87,10 @@ def test_every_class_knows_of_edges_that_have_to_be_there():
 @pytest.mark.parametrize("k, says", [(-1, "0 or more"), (1.5, "whole"), ("2", "whole"),
                                      (None, "whole"), (True, "whole"), (float("nan"), "whole")])
 def test_orders_are_whole_numbers(k, says):
-    for f in (hodt.useful_edges, hodt.triangles, hodt.triangulate):
+    functions = {hodt.useful_edges, hodt.triangles, hodt.triangulate}
+    if k is None:  # the usual order
+        functions.remove(hodt.triangulate)
+    for f in functions:
         with pytest.raises(hodt.ParameterError, match=says):
             f(general(0), k)
 
