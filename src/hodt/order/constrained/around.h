@@ -3,12 +3,19 @@
 #pragma once
 
 #include "hodt/order/delaunay_graph.h"
+#include "hodt/order/search/search_policy.h"
 
 namespace hodt {
 
 /// Whether nothing gets from one side of the edge to the other.
 inline bool is_closed(const DelaunayGraph& graph, HalfEdgeId h) {
   return graph.mesh.is_boundary(h) || graph.is_wall(h);
+}
+
+/// Whether an edge from u to v leads that way.
+inline bool leads(const DelaunayGraph& graph, VertexId u, VertexId v, Towards towards) {
+  return towards == Towards::all ||
+         lexicographically_less(graph.point(u), graph.point(v)) == (towards == Towards::larger);
 }
 
 /// Calls f(h) for half-edges h that leave the neighbours of the origin of `from`, each in a

@@ -57,16 +57,13 @@ void SightWalk::unmark_joined(const Window& window) {
     if (v.valid()) is_passed_[graph_.place_of(v)] = false;
 }
 
-bool SightWalk::is_sought(VertexId v) const {
-  return towards_ == Towards::all ||
-         lexicographically_less(graph_.point(u_), graph_.point(v)) == (towards_ == Towards::larger);
-}
-
 void SightWalk::add(const Window& window) {
   if (std::min({window.left_only, window.right_only, window.both}) > limit_) return;
   if (is_closed(graph_, window.edge)) return;
   // What is between two rays to larger vertices is larger itself.
-  if (!is_sought(window.left_ray) && !is_sought(window.right_ray)) return;
+  if (!leads(graph_, u_, window.left_ray, towards_) &&
+      !leads(graph_, u_, window.right_ray, towards_))
+    return;
   windows_.push_back(window);
 }
 
@@ -83,7 +80,7 @@ void SightWalk::look_through(const Window& window) {
     return pass_on_left(window, to_right, window.left_ray, w);
   if (orient(u, graph_.point(window.right_ray), p) <= 0)
     return pass_on_right(window, to_left, window.right_ray, w);
-  if (is_sought(w)) candidate_ = w;
+  if (leads(graph_, u_, w, towards_)) candidate_ = w;
   pass_on_right(window, to_left, w, w);
   pass_on_left(window, to_right, w, w);
 }

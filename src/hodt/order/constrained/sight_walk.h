@@ -53,7 +53,6 @@ class SightWalk {
   void pass_on_left(const Window& window, HalfEdgeId edge, VertexId left_ray, VertexId w);
   void pass_on_right(const Window& window, HalfEdgeId edge, VertexId right_ray, VertexId w);
   void add(const Window& window);
-  bool is_sought(VertexId v) const;
   Index count_of(VertexId v) const { return is_passed_[graph_.place_of(v)] ? 0 : 1; }
   void mark_joined(const Window& window);
   void unmark_joined(const Window& window);

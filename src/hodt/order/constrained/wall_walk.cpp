@@ -43,17 +43,14 @@ WallWalk::Chain WallWalk::longer(const Chain& chain, VertexId v) {
   return {static_cast<Index>(links_.size() - 1), chain.size + 1};
 }
 
-bool WallWalk::is_sought(VertexId v) const {
-  return towards_ == Towards::all ||
-         lexicographically_less(graph_.point(u_), graph_.point(v)) == (towards_ == Towards::larger);
-}
-
 /// Adds a window unless nothing can come of it. Looks around on the side of the last vertex only:
 /// on the other one little is new.
 void WallWalk::add(const Window& window, Side side) {
   if (is_closed(graph_, window.edge)) return;
   // What is between two rays to larger vertices is larger itself.
-  if (!is_sought(window.left_ray) && !is_sought(window.right_ray)) return;
+  if (!leads(graph_, u_, window.left_ray, towards_) &&
+      !leads(graph_, u_, window.right_ray, towards_))
+    return;
   const TriangleMesh& mesh = graph_.mesh;
   const Point &u = graph_.point(u_), &left_ray = graph_.point(window.left_ray),
               &right_ray = graph_.point(window.right_ray);
@@ -109,7 +106,7 @@ void WallWalk::look_through(const Window& window) {
     add({to_left, window.left_ray, window.right_ray, window.left, longer(window.right, w)},
         Side::right);
   } else {
-    if (is_sought(w)) {
+    if (leads(graph_, u_, w, towards_)) {
       candidate_ = w;
       candidate_left_ = window.left;
       candidate_right_ = window.right;

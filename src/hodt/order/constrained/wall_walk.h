@@ -68,7 +68,6 @@ class WallWalk {
   void add(const Window& window, Side side);
   Index useful_order();
   Chain longer(const Chain& chain, VertexId v);
-  bool is_sought(VertexId v) const;
   template <class IsBeyond>
   bool holds_more(const Chain& chain, HalfEdgeId from, const Circle& circle,
                   const IsBeyond& is_beyond);
