@@ -87,7 +87,7 @@ void RisingLakes::join(Index a, Index b) {
   come_up(to);
   come_up(from);
   to.full += from.full;
-  for (const Group& group : from.groups) add_group(to, group, next_);
+  for (const Group& group : from.groups) add_group(to, group);
 }
 
 /// Counts a lake's water from the present level.
@@ -127,14 +127,14 @@ void RisingLakes::add(Lake& lake, TriangleId t) {
     change = step_ + 1;
   }
   next_[t] = kNone;
-  add_group(lake, {highest_difference(change, step_), water, t, t}, next_);
+  add_group(lake, {highest_difference(change, step_), water, t, t});
 }
 
-void RisingLakes::add_group(Lake& lake, const Group& group, Buffer<Index>& next) {
+void RisingLakes::add_group(Lake& lake, const Group& group) {
   for (Group& mine : lake.groups) {
     if (mine.bit != group.bit) continue;
     mine.water += group.water;
-    next[mine.last] = group.first;
+    next_[mine.last] = group.first;
     mine.last = group.last;
     return;
   }

@@ -51,7 +51,7 @@ class RisingLakes {
   void join(Index a, Index b);
   void come_up(Lake& lake);
   void add(Lake& lake, TriangleId t);
-  static void add_group(Lake& lake, const Group& group, Buffer<Index>& next);
+  void add_group(Lake& lake, const Group& group);
 
   const TriangleMesh& mesh_;
   std::span<const Point> xy_;
