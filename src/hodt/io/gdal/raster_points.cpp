@@ -97,9 +97,8 @@ class Values {
 };
 
 /// Every so many rows and columns of the band.
-PointSet centres(GDALDatasetH dataset, GDALRasterBandH band, Index stride,
+PointSet centres(GDALDatasetH dataset, const Affine& g, GDALRasterBandH band, Index stride,
                  const std::string& name) {
-  const Affine g = affine_of(dataset, name);
   const int columns = gdal().GDALGetRasterXSize(dataset), rows = gdal().GDALGetRasterYSize(dataset);
   const auto taken = [stride](int size) { return std::size_t(size - 1) / stride + 1; };
   GdalErrors errors;
@@ -161,9 +160,10 @@ PointTable read_raster_points(const std::filesystem::path& path, const PointChoi
   const GDALRasterBandH band = band_of(dataset.get(), choice.raster.band, name);
   const Index stride = std::max<Index>(1, choice.raster.stride);
   PointTable table;
-  table.points = centres(dataset.get(), band, stride, name);
+  const Affine affine = affine_of(dataset.get(), name);
+  table.points = centres(dataset.get(), affine, band, stride, name);
   if (table.points.size() == 0) throw InputError(name + ": no cell of it has a value");
-  if (stride == 1) table.grid = grid_of(dataset.get(), affine_of(dataset.get(), name));
+  if (stride == 1) table.grid = grid_of(dataset.get(), affine);
   table.points.crs = crs_text(gdal().GDALGetSpatialRef(dataset.get()));
   table.columns.source =
       fmt::format("centres of cells, z = band {} of {}{}", std::max<Index>(choice.raster.band, 1),
