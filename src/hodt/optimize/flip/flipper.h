@@ -6,15 +6,11 @@
 
 #include "hodt/base/deadline.h"
 #include "hodt/geometry/predicates.h"
+#include "hodt/optimize/flip/quadrilateral.h"
 #include "hodt/order/circle_counter.h"
 #include "hodt/order/delaunay_graph.h"
 
 namespace hodt {
-
-/// The corners of the two triangles at an inner edge ab: abc on the left, and bad.
-struct Quadrilateral {
-  VertexId a, b, c, d;
-};
 
 /// `Better` says of a quadrilateral whose diagonal ab could be replaced by dc whether that is
 /// better. It may have a member flipped(quadrilateral), which is told what was replaced.

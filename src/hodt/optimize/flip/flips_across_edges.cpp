@@ -183,7 +183,7 @@ class Mover {
   std::vector<HalfEdgeId> queue_, turn_;
   std::vector<HalfEdgeId>* left_ = nullptr;
   std::vector<Made> made_;  // of the move that is tried
-  std::vector<MoveGuard::Flip> flips_;
+  std::vector<Quadrilateral> flips_;
   bool reaches_out_ = false;  // a move would leave the block
   double most_loss_ = 0, gained_ = 0;
   int until_check_ = 0;

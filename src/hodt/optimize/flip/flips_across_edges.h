@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hodt/base/deadline.h"
+#include "hodt/optimize/flip/quadrilateral.h"
 #include "hodt/optimize/measure/edge_measures.h"
 #include "hodt/order/delaunay_graph.h"
 
@@ -13,10 +14,6 @@ namespace hodt {
 /// Has a say in every move.
 class MoveGuard {
  public:
-  /// An edge ab that goes, between the triangles abc and bad, for dc.
-  struct Flip {
-    VertexId a, b, c, d;
-  };
   MoveGuard() = default;
   MoveGuard(const MoveGuard&) = delete;
   MoveGuard& operator=(const MoveGuard&) = delete;
@@ -24,9 +21,9 @@ class MoveGuard {
 
   /// Whether it may be made: flips one after the other. Several threads ask at the same time, about
   /// different vertices.
-  virtual bool allows(std::span<const Flip> move) = 0;
+  virtual bool allows(std::span<const Quadrilateral> move) = 0;
   /// It was made.
-  virtual void take(std::span<const Flip> move) = 0;
+  virtual void take(std::span<const Quadrilateral> move) = 0;
 };
 
 /// Flips as long as a move makes the mesh better for the objective and leaves triangles of order at

@@ -29,12 +29,12 @@ class KeepsValues final : public MoveGuard {
  public:
   explicit KeepsValues(std::span<const std::unique_ptr<Standing>> standings)
       : standings_(standings) {}
-  bool allows(std::span<const Flip> move) override {
+  bool allows(std::span<const Quadrilateral> move) override {
     const Exchange exchange = exchange_of(move);
     return std::all_of(standings_.begin(), standings_.end(),
                        [&](const auto& standing) { return standing->effect(exchange) <= 0; });
   }
-  void take(std::span<const Flip> move) override {
+  void take(std::span<const Quadrilateral> move) override {
     const Exchange exchange = exchange_of(move);
     for (const auto& standing : standings_) standing->take(exchange);
     any_ = true;
@@ -43,7 +43,7 @@ class KeepsValues final : public MoveGuard {
 
  private:
   /// Only with the edges; some may come and go.
-  static Exchange exchange_of(std::span<const Flip> move) {
+  static Exchange exchange_of(std::span<const Quadrilateral> move) {
     Exchange exchange;
     for (const auto& [a, b, c, d] : move) {
       exchange.before.inside.push_back({a, b, c, d});
