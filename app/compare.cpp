@@ -183,7 +183,7 @@ Json pits_json(const std::optional<PitTotals>& pits) {
 Json then_json(const ObjectiveComparison& objective, std::size_t order) {
   Json list = Json::array();
   for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
-    const ComparisonRow row = objective.by_later(i).rows[order];
+    const ComparisonRow row = objective.rows[order].by_later(i);
     list.push_back({{"objective", name_of(objective.objectives[i + 1])},
                     {"value", to_json(row.value.result)},
                     {"bound", to_json(row.value.bound)},

@@ -184,11 +184,16 @@ std::optional<double> ComparisonRow::change() const {
   return percent(value.result - value.delaunay, value.delaunay);
 }
 
+ComparisonRow ComparisonRow::by_later(std::size_t i) const {
+  ComparisonRow later = *this;
+  later.value = then[i].value;
+  later.then.clear();
+  later.mean_angle.reset();
+  return later;
+}
+
 std::string ObjectiveComparison::title() const {
-  std::string title;
-  for (const Objective& objective : objectives)
-    title += (title.empty() ? "" : ", then ") + name_of(objective);
-  return title;
+  return names_of(objectives, ", then ");
 }
 
 const ComparisonRow& ObjectiveComparison::best() const {
@@ -198,12 +203,8 @@ const ComparisonRow& ObjectiveComparison::best() const {
 }
 
 ObjectiveComparison ObjectiveComparison::by_later(std::size_t i) const {
-  ObjectiveComparison later{{objectives[i + 1]}, rows};
-  for (ComparisonRow& row : later.rows) {
-    row.value = row.then[i].value;
-    row.then.clear();
-    row.mean_angle.reset();
-  }
+  ObjectiveComparison later{{objectives[i + 1]}, {}};
+  for (const ComparisonRow& row : rows) later.rows.push_back(row.by_later(i));
   if (!given.empty()) later.given = {given[i + 1]};
   return later;
 }

@@ -43,6 +43,8 @@ struct ComparisonRow {
   std::optional<double> gap() const;
   /// Against the Delaunay triangulation, in percent of its value; empty if that is 0 and changes.
   std::optional<double> change() const;
+  /// The same triangulation by one of the other objectives: as if `value` were of that one.
+  ComparisonRow by_later(std::size_t i) const;
 };
 
 /// Of one objective, or of several in order.
@@ -57,7 +59,7 @@ struct ObjectiveComparison {
   std::string title() const;
   /// The row with the best values, the first of these.
   const ComparisonRow& best() const;
-  /// The same triangulations by one of the other objectives: as if `value` were of that one.
+  /// The same of all rows.
   ObjectiveComparison by_later(std::size_t i) const;
 };
 

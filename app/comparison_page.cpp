@@ -89,10 +89,7 @@ std::string facts_list(const Comparison& comparison, const std::string& input,
 
 /// The section of an objective, or of several in order.
 std::string anchor_of(const ObjectiveComparison& objective) {
-  std::string anchor;
-  for (const Objective& each : objective.objectives)
-    anchor += (anchor.empty() ? "" : "+") + name_of(each);
-  return anchor;
+  return names_of(objective.objectives, "+");
 }
 
 std::string link_to(const ObjectiveComparison& objective) {
@@ -158,9 +155,8 @@ std::string section(const Comparison& comparison, const ObjectiveComparison& obj
 }
 
 std::string folded(const Comparison& comparison, const ObjectiveComparison& objective) {
-  const std::string name = objective.title();
-  return fmt::format("<details id=\"{}\">\n<summary><b>{}</b>: {}</summary>\n{}</details>\n", name,
-                     name, escaped(objective.why_unchanged),
+  return fmt::format("<details id=\"{}\">\n<summary><b>{}</b>: {}</summary>\n{}</details>\n",
+                     anchor_of(objective), objective.title(), escaped(objective.why_unchanged),
                      charts_and_tables(comparison, objective));
 }
 

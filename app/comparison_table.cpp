@@ -219,9 +219,7 @@ Table summary_table(const Comparison& comparison) {
     const ComparisonRow& best = objective.best();
     add(objective.title(), best);
     for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
-      ComparisonRow later = best;
-      later.value = best.then[i].value;
-      add("then " + name_of(objective.objectives[i + 1]), later);
+      add("then " + name_of(objective.objectives[i + 1]), best.by_later(i));
     }
   }
   return table;

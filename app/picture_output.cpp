@@ -54,9 +54,9 @@ std::string caption_of(const TriangulateResult& result) {
 
 /// "min-local-minima, then min-sum-abn".
 std::string objectives_of(const Report& report) {
-  std::string names = name_of(report.objective);
-  for (const LaterValue& later : report.then) names += ", then " + name_of(later.objective);
-  return names;
+  std::vector<Objective> objectives{report.objective};
+  for (const LaterValue& later : report.then) objectives.push_back(later.objective);
+  return names_of(objectives, ", then ");
 }
 
 /// Minima that were to stay and did, in ascending order.

@@ -30,7 +30,7 @@ namespace {
 nb::list then_list(const app::ObjectiveComparison& objective, std::size_t order) {
   nb::list list;
   for (std::size_t i = 0; i + 1 < objective.objectives.size(); ++i) {
-    const app::ComparisonRow row = objective.by_later(i).rows[order];
+    const app::ComparisonRow row = objective.rows[order].by_later(i);
     nb::dict dict;
     dict["objective"] = name_of(objective.objectives[i + 1]);
     dict["value"] = row.value.result;

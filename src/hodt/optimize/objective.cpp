@@ -131,6 +131,15 @@ std::vector<Objective> objectives_from_names(std::string_view names) {
   return objectives;
 }
 
+std::string names_of(std::span<const Objective> objectives, std::string_view between) {
+  std::string names;
+  for (const Objective& objective : objectives) {
+    if (!names.empty()) names += between;
+    names += name_of(objective);
+  }
+  return names;
+}
+
 Index usual_order(std::string_view names) {
   return names == kTerrain ? 8 : 4;
 }

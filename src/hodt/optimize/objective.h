@@ -117,6 +117,8 @@ std::vector<Objective> objectives_from_names(std::string_view names);
 Index usual_order(std::string_view names);
 Method method_from_name(std::string_view name);
 std::string name_of(Objective objective);
+/// Of objectives in order, with this between them.
+std::string names_of(std::span<const Objective> objectives, std::string_view between);
 /// The names of all measures, separated by commas.
 std::string measure_names();
 
