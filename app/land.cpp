@@ -25,6 +25,12 @@ bool is_known_alike(const HeightRaster& a, const HeightRaster& b) {
   return true;
 }
 
+/// Takes the heights away where the other one has none.
+void leave_out(HeightRaster& raster, const HeightRaster& other) {
+  for (std::size_t cell = 0; cell < raster.z.size(); ++cell)
+    if (std::isnan(other.z[cell])) raster.z[cell] = kNoHeight;
+}
+
 HeightRaster raster_of(const Tin& tin, const Grid& grid) {
   HeightRaster raster = empty_raster(grid);
   std::vector<Index> triangles(raster.z.size());
@@ -47,8 +53,7 @@ Land::Land(const Grid& grid, const PointSet& points) : grid_(grid), all_(empty_r
 
 LandFit Land::fit_of(const Tin& tin) {
   HeightRaster surface = raster_of(tin, grid_);
-  for (std::size_t cell = 0; cell < surface.z.size(); ++cell)
-    if (std::isnan(all_.z[cell])) surface.z[cell] = kNoHeight;
+  leave_out(surface, all_);
   if (below_.z.empty() || !is_known_alike(surface, below_)) look_at_land_below(surface);
   const RasterFlow flow = raster_flow(surface);
   return {fill_totals(surface, flow), slope_error(surface, below_),
@@ -57,8 +62,7 @@ LandFit Land::fit_of(const Tin& tin) {
 
 void Land::look_at_land_below(const HeightRaster& surface) {
   below_ = all_;
-  for (std::size_t cell = 0; cell < surface.z.size(); ++cell)
-    if (std::isnan(surface.z[cell])) below_.z[cell] = kNoHeight;
+  leave_out(below_, surface);
   flow_ = raster_flow(below_);
   fill_ = fill_totals(below_, flow_);
 }

@@ -45,7 +45,6 @@ int run(const Arguments& arguments) {
     naming(arguments.tin, [&] {
       write_rasters(tin, grid, arguments.raster, arguments.output, outputs,
                     [&](std::string_view phase, double done) { progress.report(phase, done); });
-      return 0;
     });
   }
   std::string text = fmt::format("{:<8} {} columns, {} rows of cells of {} by {}\n", "raster",

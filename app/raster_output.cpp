@@ -47,10 +47,7 @@ Grid grid_of(const RasterArguments& arguments, const PointSet& points, const std
     });
   const GridOfFile like = read_grid(arguments.like);
   require_same_crs(name, crs, arguments.like, like.crs);
-  naming(arguments.like, [&] {
-    check_size(like.grid);
-    return 0;
-  });
+  naming(arguments.like, [&] { check_size(like.grid); });
   return like.grid;
 }
 

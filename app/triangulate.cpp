@@ -1,6 +1,7 @@
 // hodt triangulate: points in, a mesh out.
 // Tested by tests/app/command_test.cpp.
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -254,7 +255,9 @@ int run(const Arguments& arguments) {
     // out.
     const bool is_whole =
         arguments.constraints.outline.empty() && arguments.constraints.max_edge.empty();
-    if (makes_raster && is_whole) grid_of(arguments.raster, joined.points, source.input.crs, input);
+    std::optional<Grid> grid;
+    if (makes_raster && is_whole)
+      grid = grid_of(arguments.raster, joined.points, source.input.crs, input);
     const double read = watch.lap();
     const Progress report = [&](std::string_view phase, double done) {
       progress.report(phase, done);
@@ -269,9 +272,11 @@ int run(const Arguments& arguments) {
     result.report.seconds.read = read;
     progress.report("writing");
     watch.lap();
-    if (makes_raster)
-      write_rasters(result.tin, grid_of(arguments.raster, result.tin.points, result.tin.crs, input),
-                    arguments.raster, is_raster ? arguments.output : "", outputs, report);
+    if (makes_raster && !grid)
+      grid = grid_of(arguments.raster, result.tin.points, result.tin.crs, input);
+    if (grid)
+      write_rasters(result.tin, *grid, arguments.raster, is_raster ? arguments.output : "", outputs,
+                    report);
     if (!is_raster) write_tin(result.tin, outputs.open(arguments.output));
     write_changes(arguments.changes, result, outputs);
     write_picture(arguments.picture, input, parse_order(arguments.order).digits, result, joined,
