@@ -359,11 +359,15 @@ bool Mover::go_on(const Flip& flip, const Gain& so_far, int most) {
   }
   const Gain gain = gain_of_sum(s_.values, flip.change, values).plus(so_far);
   if (most < 3 || !s_.values.is_sum() || !is_beginning(gain)) return false;
+  std::array<bool, 4> is_promising;
+  for (int i = 0; i < 4; ++i)
+    is_promising[i] =
+        is_found[i] && is_beginning(gain_of_sum(s_.values, seconds[i].change, values).plus(so_far));
   make(flip.h, flip.with_a, flip.with_b);
-  for (const Side& side : flip.sides) {
+  for (int i = 0; i < 4; ++i) {
     Flip second;
-    if (mesh_.is_boundary(side.flipped) || !find(side.flipped, second)) continue;
-    if (go_on(second, gain, most - 1)) return true;
+    if (is_promising[i] && find(flip.sides[i].flipped, second) && go_on(second, gain, most - 1))
+      return true;
   }
   undo();
   return false;
