@@ -168,13 +168,21 @@ OwnMeasure::OwnMeasure(nb::handle objective) {
                               : aggregate_name == "max" ? Aggregate::max
                                                         : Aggregate::min;
   if (nb::cast<bool>(objective.attr("across_edges"))) {
-    edge_measure_ = {
-        name,
-        [function, name](const Corner& a, const Corner& b, const Corner& l, const Corner& r) {
-          const Corner corners[] = {a, b, l, r};
-          return ask(function, name, 4, corners)[0];
-        },
-        needs_heights};
+    const auto of_many = [function, name](std::span<const std::array<Corner, 4>> edges,
+                                          std::span<double> values) {
+      std::vector<Corner> corners(4 * edges.size());
+      for (std::size_t i = 0; i < edges.size(); ++i)
+        for (std::size_t place = 0; place < 4; ++place)
+          corners[place * edges.size() + i] = edges[i][place];
+      std::ranges::copy(ask(function, name, 4, corners), values.begin());
+    };
+    const auto of = [of_many](const Corner& a, const Corner& b, const Corner& l, const Corner& r) {
+      const std::array edge = {a, b, l, r};
+      double value = 0;
+      of_many({&edge, 1}, {&value, 1});
+      return value;
+    };
+    edge_measure_ = {name, of, needs_heights, of_many};
     objective_ = {direction, aggregate, edge_measure_};
     return;
   }

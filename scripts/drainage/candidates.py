@@ -1,5 +1,5 @@
 """Measures across edges that hodt does not have, to be tried before they are built in: names for the
-experiment that begin with "own:". Each is asked for one edge at a time, so samples have to be small."""
+experiment that begin with "own:"."""
 
 import numpy as np
 

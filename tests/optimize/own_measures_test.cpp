@@ -59,6 +59,17 @@ void expect_same(const Terrain& terrain, const Objective& built_in, const Object
     }
 }
 
+/// The same, and never asked for one edge where many are to be measured.
+OwnEdgeMeasure asked_for_many(OwnEdgeMeasure measure) {
+  measure.of_many = [of = measure.of](std::span<const std::array<Corner, 4>> edges,
+                                      std::span<double> values) {
+    ASSERT_EQ(edges.size(), values.size());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      values[i] = of(edges[i][0], edges[i][1], edges[i][2], edges[i][3]);
+  };
+  return measure;
+}
+
 TEST(OwnMeasures, equal_the_built_in_ones_that_they_call) {
   for (const support::Points& points : {support::uniform(300, 5), support::lattice(15, 15)}) {
     const Terrain terrain(points);
@@ -84,7 +95,9 @@ TEST(OwnMeasures, equal_the_built_in_ones_that_they_call) {
                 return values.of(terrain.vertex(p), terrain.vertex(q), terrain.vertex(left),
                                  terrain.vertex(right));
               }};
+          const OwnEdgeMeasure many = asked_for_many(own);
           expect_same(terrain, built_in, Objective(d, a, own));
+          expect_same(terrain, built_in, Objective(d, a, many));
         }
       }
   }
@@ -190,8 +203,10 @@ TEST(OwnMeasures, must_be_finite_and_not_negative) {
   for (const double value : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
     const OwnTriangleMeasure triangle{"odd", [&](auto&&...) { return value; }};
     const OwnEdgeMeasure edge{"odd", [&](auto&&...) { return value; }};
+    const OwnEdgeMeasure edges = asked_for_many(edge);
     for (const Objective& objective : {Objective(Direction::minimize, Aggregate::sum, triangle),
-                                       Objective(Direction::minimize, Aggregate::sum, edge)})
+                                       Objective(Direction::minimize, Aggregate::sum, edge),
+                                       Objective(Direction::minimize, Aggregate::sum, edges)})
       for (const Index k : {0u, 1u, 3u}) {
         try {
           optimize(terrain.graph, terrain.z(), objective, {.order = k});

@@ -1,7 +1,9 @@
 // Measures of one's own: functions that objectives take as they take the built-in measures.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <span>
 #include <string>
 
 namespace hodt {
@@ -27,6 +29,10 @@ struct OwnEdgeMeasure {
   std::function<double(const Corner& a, const Corner& b, const Corner& left, const Corner& right)>
       of;
   bool needs_heights = false;
+  /// The same of some edges at a time, if it is there: values[i] of edges[i], which are a, b, left
+  /// and right. For functions that take long to be called.
+  std::function<void(std::span<const std::array<Corner, 4>> edges, std::span<double> values)>
+      of_many = nullptr;
 };
 
 }  // namespace hodt

@@ -149,20 +149,39 @@ double EdgeValues::wide_value(VertexId a, VertexId b, const Gradient& f, const G
   return value.to_double();
 }
 
-double EdgeValues::own_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
-  VertexId left = f.other_corner(a, b), right = g.other_corner(a, b);
-  if (b < a) std::swap(a, b), std::swap(left, right);
+/// From the smaller end to the larger one, then those on the left and on the right of that.
+std::array<VertexId, 4> EdgeValues::own_corners(VertexId a, VertexId b, const Gradient& f,
+                                                const Gradient& g) const {
+  const VertexId left = f.other_corner(a, b), right = g.other_corner(a, b);
+  return b < a ? std::array{b, a, right, left} : std::array{a, b, left, right};
+}
+
+std::array<Corner, 4> EdgeValues::places(const std::array<VertexId, 4>& corners) const {
   const auto corner = [&](VertexId v) {
     return Corner{xy_[v].x, xy_[v].y, z_.empty() ? 0 : z_[v]};
   };
-  return checked_own_value(
-      measure_.own_measure->of(corner(a), corner(b), corner(left), corner(right)), objective(),
-      {xy_[a], xy_[b], xy_[left], xy_[right]});
+  const auto [a, b, left, right] = corners;
+  return {corner(a), corner(b), corner(left), corner(right)};
+}
+
+double EdgeValues::checked(double value, const std::array<VertexId, 4>& corners) const {
+  const auto [a, b, left, right] = corners;
+  return checked_own_value(value, objective(), {xy_[a], xy_[b], xy_[left], xy_[right]});
+}
+
+double EdgeValues::own_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const {
+  const std::array<VertexId, 4> corners = own_corners(a, b, f, g);
+  const auto [from, to, left, right] = places(corners);
+  return checked(measure_.own_measure->of(from, to, left, right), corners);
 }
 
 const double* ManyEdges::measure(std::size_t size, int left, int right) {
   const GradientColumns &f = left_[left], &g = right_[right];
   Column& value = value_[left][right];
+  if (values_.is_own() && values_.measure_.own_measure->of_many) {
+    if (size > 0) ask(size, left, right);
+    return value.data();
+  }
   const bool is_one_by_one = values_.is_own() || values_.is_wide_;
   if (!is_one_by_one)
     with_measure(values_.measure_, [&](const auto& measure) {
@@ -176,19 +195,39 @@ const double* ManyEdges::measure(std::size_t size, int left, int right) {
   return value.data();
 }
 
+/// A measure of one's own, about all at once.
+void ManyEdges::ask(std::size_t size, int left, int right) {
+  std::array<std::array<VertexId, 4>, kSize> corners;
+  std::array<std::array<Corner, 4>, kSize> places;
+  for (std::size_t i = 0; i < size; ++i) {
+    corners[i] =
+        values_.own_corners(ends_[i][0], ends_[i][1], left_[left].at(i), right_[right].at(i));
+    places[i] = values_.places(corners[i]);
+  }
+  Column& value = value_[left][right];
+  values_.measure_.own_measure->of_many(std::span(places).first(size),
+                                        std::span(value).first(size));
+  for (std::size_t i = 0; i < size; ++i) value[i] = values_.checked(value[i], corners[i]);
+}
+
 double EdgeValues::of(const TriangleMesh& mesh) const {
   const Buffer<Gradient> all = gradients(mesh);
   const auto add = [&](std::size_t first, std::size_t last, std::vector<Total>& parts) {
-    Total part(*this);
-    bool any = false;
+    ManyEdges many(*this);
+    std::size_t size = 0;
+    const auto measure = [&] {
+      parts.back().add({many.measure(size, 0, 0), size});
+      size = 0;
+    };
     for (std::size_t i = first; i < last; ++i) {
       const HalfEdgeId h{Index(i)}, twin = mesh.twin(h);
       if (!twin.valid() || twin < h) continue;
-      part.add(across(mesh.origin(h), mesh.target(h), all[TriangleMesh::triangle(h)],
-                      all[TriangleMesh::triangle(twin)]));
-      any = true;
+      if (size == 0 && parts.empty()) parts.emplace_back(*this);
+      many.set(size++, mesh.origin(h), mesh.target(h), all[TriangleMesh::triangle(h)],
+               all[TriangleMesh::triangle(twin)]);
+      if (size == ManyEdges::kSize) measure();
     }
-    if (any) parts.push_back(part);
+    if (size > 0) measure();
   };
   const std::vector<Total> parts = parallel_collect<Total>(0, mesh.halfedge_count(), 1 << 15, add);
   Total total(*this);

@@ -58,6 +58,10 @@ class EdgeValues : public Aggregator {
   friend class ManyEdges;
   bool is_own() const { return measure_.kind == EdgeMeasure::own; }
   Gradient exact_gradient(Index a, Index b, Index c) const;
+  std::array<VertexId, 4> own_corners(VertexId a, VertexId b, const Gradient& f,
+                                      const Gradient& g) const;
+  std::array<Corner, 4> places(const std::array<VertexId, 4>& corners) const;
+  double checked(double value, const std::array<VertexId, 4>& corners) const;
   double own_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const;
   double wide_value(VertexId a, VertexId b, const Gradient& f, const Gradient& g) const;
 
@@ -107,6 +111,7 @@ class ManyEdges {
     EdgeValues::Gradient at(std::size_t i) const { return {x[i], y[i]}; }
   };
 
+  void ask(std::size_t size, int left, int right);
   double one(std::size_t i, int left, int right) const {
     return values_.across(ends_[i][0], ends_[i][1], left_[left].at(i), right_[right].at(i));
   }
