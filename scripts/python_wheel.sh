@@ -3,16 +3,19 @@
 # goes through it as a new user: in fresh virtual environments, with the oldest and the newest numpy that
 # are supported, away from the sources. Leaves it in build/wheels. Packages come from PyPI.
 #
-#   scripts/python_wheel.sh [PYTHON]    (default: python3)
+#   scripts/python_wheel.sh [PYTHON [LATER_PYTHON...]]    (default: python3)
+#
+# A wheel built with Python 3.12 or later is for all later ones: those named go through it, too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-python=${1:-python3}
+pythons=("${@:-python3}")
+python=${pythons[0]}
 root=$PWD
 tools=$root/build/wheel-tools
 wheels=$root/build/wheels
 
 say() { printf '\n%s\n' "$*" >&2; }
-fresh() { # a virtual environment with the packages
+fresh() { # a virtual environment of the Python with the packages
   rm -rf "$1" && "$python" -m venv "$1" && "$1/bin/pip" install -q --disable-pip-version-check "${@:2}"
 }
 
@@ -31,14 +34,18 @@ fi
 say "$(basename "$wheel"), $(du -h "$wheel" | cut -f1)"
 
 oldest=$(sed -n 's/^dependencies = \["numpy>=\(.*\)"\]$/\1/p' pyproject.toml)
-for numpy in "numpy==$oldest.*" numpy; do
-  venv=$root/build/wheel-venv
-  if ! fresh "$venv" --only-binary :all: "$numpy" pytest; then
-    say "$numpy is not there for this Python: not tested"
-    continue
-  fi
+go_through() { # with the first numpy that is there for the Python
+  local numpy venv=$root/build/wheel-venv is_there=
+  for numpy; do
+    if fresh "$venv" --only-binary :all: "$numpy" pytest; then
+      is_there=1
+      break
+    fi
+    say "$numpy is not there for $("$python" --version)"
+  done
+  [ "$is_there" ] || return 0
   "$venv/bin/pip" install -q --disable-pip-version-check --no-deps "$wheel"
-  say "With numpy $("$venv/bin/python" -c 'import numpy; print(numpy.__version__)')"
+  say "With $("$python" --version) and numpy $("$venv/bin/python" -c 'import numpy; print(numpy.__version__)')"
   (
     cd "$venv"
     bin/hodt --version
@@ -46,5 +53,9 @@ for numpy in "numpy==$oldest.*" numpy; do
     bin/hodt sample valley -n 2000 | bin/hodt triangulate - -o terrain.ply -k 4
     HODT_COMMAND=$venv/bin/hodt bin/python -m pytest -q -rs -p no:cacheprovider "$root/python/tests"
   )
+}
+for python in "${pythons[@]}"; do
+  go_through "numpy==$oldest.*" "numpy<2"
+  go_through numpy
 done
 say "The wheel is $wheel"

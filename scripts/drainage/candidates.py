@@ -6,12 +6,18 @@ import numpy as np
 import hodt
 
 
-def gradient(a, b, c):
-    """Of the planes through corners (m, 3)."""
+def area(a, b, c):
+    """Of triangles with corners (m, 3), counter-clockwise. A little where rounding leaves none."""
     u, v = b - a, c - a
-    area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    twice = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    return np.where(twice == 0, 1e-9, twice) / 2
+
+
+def gradient(a, b, c):
+    """Of the planes through them."""
+    u, v = b - a, c - a
     return (np.column_stack([u[:, 2] * v[:, 1] - v[:, 2] * u[:, 1], v[:, 2] * u[:, 0] - u[:, 2] * v[:, 0]])
-            / area[:, None])
+            / (2 * area(a, b, c)[:, None]))
 
 
 def length(a, b):
@@ -30,11 +36,6 @@ def angle(a, b, left, right):
     return np.arctan2(np.hypot(np.hypot(*(f - g).T), cross), (f * g).sum(axis=1) + 1)
 
 
-def area(a, b, c):
-    u, v = (b - a)[:, :2], (c - a)[:, :2]
-    return np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
-
-
 def squared_bend(a, b, left, right):
     return angle(a, b, left, right) ** 2
 
@@ -45,7 +46,7 @@ def root_bend(a, b, left, right):
 
 def plate_energy(a, b, left, right):
     """Of a thin plate that bends along the edge only: squared jump, spread over both triangles."""
-    return (jump(a, b, left, right) * length(a, b)) ** 2 / (area(a, b, left) + area(a, b, right))
+    return (jump(a, b, left, right) * length(a, b)) ** 2 / (area(a, b, left) + area(b, a, right))
 
 
 def total_jump(a, b, left, right):
