@@ -226,34 +226,13 @@ class Values {
     return std::accumulate(values.begin(), values.end(), Real(0));
   }
 
-  /// Where a domain touches itself, each side of a point counts for itself: what counts are the
-  /// corners that hang together by edges.
   Real counted(const Objective& objective, const Triangles& triangles) const {
-    std::vector<int> side(3 * triangles.size());
-    std::iota(side.begin(), side.end(), 0);
-    const auto find = [&](int i) {
-      while (side[i] != i) i = side[i];
-      return i;
-    };
-    std::map<std::tuple<int, int, int>, int> at;  // an edge and an end: a corner
-    for (int i = 0; i < int(side.size()); ++i) {
-      const Triangle& t = triangles[i / 3];
-      for (const int other : {t[(i + 1) % 3], t[(i + 2) % 3]}) {
-        const Edge e = edge_of(t[i % 3], other);
-        const auto [known, is_new] = at.insert({{e[0], e[1], t[i % 3]}, i});
-        if (!is_new) side[find(i)] = find(known->second);
-      }
-    }
     std::map<int, std::set<int>> neighbours;
-    std::map<int, int> point;
-    for (int i = 0; i < int(side.size()); ++i) {
-      const Triangle& t = triangles[i / 3];
-      point[find(i)] = t[i % 3];
-      neighbours[find(i)].insert({t[(i + 1) % 3], t[(i + 2) % 3]});
-    }
+    for (const Triangle& t : triangles)
+      for (int i = 0; i < 3; ++i) neighbours[t[i]].insert({t[(i + 1) % 3], t[(i + 2) % 3]});
     int count = 0;
-    for (const auto& [node, around] : neighbours) {
-      const auto is_lower = [&](int w) { return instance_.is_lower(w, point[node]); };
+    for (const auto& [v, around] : neighbours) {
+      const auto is_lower = [&, v = v](int w) { return instance_.is_lower(w, v); };
       if (objective == Objective::min_max_degree) count = std::max(count, int(around.size()));
       if (hodt::counts_minima(objective)) count += std::ranges::none_of(around, is_lower);
       if (hodt::counts_maxima(objective)) count += std::ranges::all_of(around, is_lower);
@@ -326,6 +305,17 @@ std::string why_not_mesh(const Known& known, const ConstrainedCatalogue& catalog
   return "";
 }
 
+/// Whether more than two edges of the boundary meet in a point. Its sides are optimised apart.
+bool touches_itself(const Triangles& triangles) {
+  std::map<Edge, int> sides;
+  for (const Triangle& t : triangles)
+    for (const Edge& e : sides_of(t)) ++sides[e];
+  std::map<int, int> ends;
+  for (const auto& [e, count] : sides)
+    if (count == 1) ++ends[e[0]], ++ends[e[1]];
+  return std::ranges::any_of(ends, [](const auto& end) { return end.second > 2; });
+}
+
 std::string why_not_value(const Known& known, const ConstrainedCatalogue& catalogue,
                           const hodt::TriangulateResult& result, const Triangles& triangles,
                           const Job& run) {
@@ -351,7 +341,9 @@ std::string why_not_value(const Known& known, const ConstrainedCatalogue& catalo
   if (sign * v.bound > sign * v.result) return text("a bound on the wrong side");
   if (sign * v.bound > best + slack(best)) return text("a bound that the optimum passes");
   if (v.optimal && !is(v.result, sign * best)) return text("not optimal, but said to be");
-  if (run.k <= 1 && !v.optimal) return text("order 1 is solved always");
+  const bool counts_vertices = run.objective.kind != Objective::measured;
+  if (run.k <= 1 && !v.optimal && !(counts_vertices && touches_itself(known.kept)))
+    return text("order 1 is solved always");
   return "";
 }
 

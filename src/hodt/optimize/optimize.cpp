@@ -12,6 +12,7 @@
 #include "hodt/optimize/in_order/first_order_in_order.h"
 #include "hodt/optimize/in_order/improve_in_order.h"
 #include "hodt/optimize/optimize_measure.h"
+#include "hodt/optimize/touching_sides.h"
 #include "hodt/optimize/value_of.h"
 
 namespace hodt {
@@ -39,12 +40,9 @@ Index order_within(const DelaunayGraph& graph, Index order) {
   return std::min(order, static_cast<Index>(graph.xy.size() - 3));
 }
 
-}  // namespace
-
-Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objective objective,
-                 const OptimizeOptions& options) {
-  check_heights(objective, !z.empty());
-  check_method(options.method, objective);
+/// Where a domain touches itself, extrema and degrees are those of sides.
+Optimum optimize_sides(const DelaunayGraph& graph, std::span<const double> z, Objective objective,
+                       const OptimizeOptions& options) {
   const Index order = order_within(graph, options.order);
   const Deadline& deadline = options.deadline;
   if (objective == Objective::none) return {{}, {.optimal = true}};
@@ -66,6 +64,19 @@ Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objectiv
                               .keep = options.keep,
                               .deadline = deadline,
                               .progress = options.progress}));
+}
+
+}  // namespace
+
+Optimum optimize(const DelaunayGraph& graph, std::span<const double> z, Objective objective,
+                 const OptimizeOptions& options) {
+  check_heights(objective, !z.empty());
+  check_method(options.method, objective);
+  Optimum optimum = optimize_sides(graph, z, objective, options);
+  if (counts_vertices(objective) && touches_itself(graph))
+    count_points(graph, z, order_within(graph, options.order), objective, options.deadline,
+                 optimum);
+  return optimum;
 }
 
 namespace {
@@ -90,6 +101,7 @@ class InOrder {
           std::span<const Objective> objectives, const OptimizeOptions& options)
       : graph_(graph), z_(z), objectives_(objectives), options_(options) {
     if (!counts_minima(objectives.front())) options_.keep = {};
+    counts_sides_ = touches_itself(graph) && std::ranges::any_of(objectives, counts_vertices);
   }
 
   OrderedOptimum run() {
@@ -99,14 +111,17 @@ class InOrder {
     kept_ = minima_to_keep(graph_, z_, options_.keep);
     mesh_ = result.change.applied_to(graph_.mesh);
     // A value that is proven is the one to keep, so that there is no need to search for a better.
-    bool is_best = result.value.optimal && order() == 1 && solve_first_order();
+    bool is_best = result.value.optimal && is_solved_at_once() && solve_first_order();
     for (std::size_t i = 1; i < objectives_.size(); ++i) {
       const Optimum alone = optimize(graph_, z_, objectives_[i], options_);
       if (options_.progress) options_.progress("objectives in order", -1);
       if (!is_best) add(i, alone.change.applied_to(graph_.mesh));
       result.then.push_back({objectives_[i], alone.value, false});
     }
-    if (!is_best && order() == 1) is_best = solve_rest_of_first_order();
+    if (!is_best && is_solved_at_once()) is_best = solve_rest_of_first_order();
+    // Where sides were counted, a point can have come to be worse.
+    if (counts_sides_ && hodt::is_better(objectives_[0], result.value.result, value(0, mesh_)))
+      mesh_ = result.change.applied_to(graph_.mesh);
     set(0, result.value);
     for (std::size_t i = 1; i < objectives_.size(); ++i) {
       LaterValue& later = result.then[i - 1];
@@ -120,6 +135,7 @@ class InOrder {
 
  private:
   Index order() const { return order_within(graph_, options_.order); }
+  bool is_solved_at_once() const { return order() == 1 && !counts_sides_; }
   OrderedProblem problem(std::size_t count) const {
     return {.graph = graph_,
             .z = z_,
@@ -177,6 +193,7 @@ class InOrder {
   OptimizeOptions options_;
   Buffer<bool> kept_;
   TriangleMesh mesh_;
+  bool counts_sides_ = false;  // of points where the domain touches itself
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "hodt/optimize/value_of.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "hodt/geometry/heights.h"
@@ -12,13 +14,39 @@ namespace hodt {
 
 namespace {
 
+/// Calls f(first, end) for the vertices at every point: several, one after the other, where a
+/// domain touches itself.
+template <class F>
+void for_each_point(std::span<const Point> xy, const F& f) {
+  for (std::size_t first = 0, end = 0; first < xy.size(); first = end) {
+    for (end = first + 1; end < xy.size() && xy[end] == xy[first];) ++end;
+    f(first, end);
+  }
+}
+
 double extrema_of(const TriangleMesh& mesh, const Heights& heights, Extremum kind) {
   std::vector<bool> is_removed(mesh.vertex_count(), false);
   for (Index i = 0; i < mesh.halfedge_count(); ++i) {
     const VertexId u = mesh.origin(HalfEdgeId(i)), v = mesh.target(HalfEdgeId(i));
     is_removed[heights.removes(u, v, kind) ? v : u] = true;
   }
-  return static_cast<double>(std::count(is_removed.begin(), is_removed.end(), false));
+  double count = 0;
+  for_each_point(heights.xy, [&](std::size_t first, std::size_t end) {
+    const auto begin = is_removed.begin();
+    count += std::find(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(end), true) ==
+             begin + std::ptrdiff_t(end);
+  });
+  return count;
+}
+
+double largest_degree(const TriangleMesh& mesh, std::span<const Point> xy) {
+  const Buffer<Index> degrees = degrees_of(mesh);
+  Index largest = 0;
+  for_each_point(xy, [&](std::size_t first, std::size_t end) {
+    largest =
+        std::max(largest, std::accumulate(degrees.begin() + first, degrees.begin() + end, 0u));
+  });
+  return largest;
 }
 
 }  // namespace
@@ -29,10 +57,7 @@ double value_of(const Objective& objective, const TriangleMesh& mesh, std::span<
     return is_of_edges(objective) ? EdgeValues(objective, xy, z).of(mesh)
                                   : TriangleValues(objective, xy, z).of(mesh);
   if (objective == Objective::none) return 0;
-  if (objective == Objective::min_max_degree) {
-    const Buffer<Index> degrees = degrees_of(mesh);
-    return *std::max_element(degrees.begin(), degrees.end());
-  }
+  if (objective == Objective::min_max_degree) return largest_degree(mesh, xy);
   const Heights heights{xy, z};
   double value = 0;
   if (objective != Objective::min_local_maxima)

@@ -10,8 +10,10 @@
 
 namespace hodt {
 
-/// The objective's value of a mesh on these vertices; 0 for Objective::none. Throws InputError if a
-/// double cannot hold it. REQUIRES heights if the objective needs them.
+/// The objective's value of a mesh on these vertices; 0 for Objective::none. Vertices one after the
+/// other that are at one point, as where a domain touches itself, count as one, with the neighbours
+/// of all. Throws InputError if a double cannot hold it. REQUIRES heights if the objective needs
+/// them.
 double value_of(const Objective& objective, const TriangleMesh& mesh, std::span<const Point> xy,
                 std::span<const double> z);
 
