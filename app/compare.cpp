@@ -349,7 +349,7 @@ int run(const Arguments& arguments) {
     const InputPoints& read = source.input;
     require_same_crs(input, read.crs, options.keep.source, options.keep.crs);
     Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
-                                     source.numbers);
+                                     source.numbers, source.constraints.triangles);
     if (source.is_tin) add_given(source.constraints, input, joined);
     const PointSet& points = joined.points;
     options.objectives = usable(choices, points, input);

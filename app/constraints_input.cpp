@@ -134,7 +134,8 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
 }
 
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
-                        PointSet points, std::span<const Index> numbers) {
+                        PointSet points, std::span<const Index> numbers,
+                        std::span<const std::array<Index, 3>> surface) {
   std::vector<Lines> lines;
   const auto add_lines = [&](const std::string& name) {
     const auto [file, layer] = layer_file(name);
@@ -150,7 +151,7 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
     require_same_crs(input, points.crs, outline->source, outline->crs);
   }
   JoinOptions options{arguments.split_crossings,
-                      parse_non_negative("--snap", "a distance", arguments.snap)};
+                      parse_non_negative("--snap", "a distance", arguments.snap), surface};
   const std::size_t rows = points.size();
   Joined joined;
   if (lines.empty() && !outline)
@@ -230,7 +231,12 @@ std::string constraints_text(const JoinReport& joined, const ConstraintReport& r
   };
   if (joined.added + joined.at_points > 0)
     line(fmt::format("vertices of lines: {} added, {} at points", joined.added, joined.at_points));
-  if (joined.snapped > 0) line(fmt::format("{} of them moved to a point", joined.snapped));
+  if (joined.snapped > 0)
+    line(fmt::format("{} of them moved to a point{}", joined.snapped,
+                     joined.collapsed == 0
+                         ? ""
+                         : fmt::format(", and {} with both ends to the same one: gone",
+                                       counted(joined.collapsed, "piece"))));
   if (joined.soft > 0) line(fmt::format("{} took their heights from the surface", joined.soft));
   if (joined.heights_replaced > 0)
     line(fmt::format("{} of points replaced by those of lines, by {} at most",
@@ -244,9 +250,13 @@ std::string constraints_text(const JoinReport& joined, const ConstraintReport& r
                      joined.largest_crossing_difference));
   const std::size_t left_out = report.triangles_outside + report.triangles_too_long;
   if (left_out > 0)
-    line(fmt::format("left out: {} outside, {} with too long an edge, {}",
-                     counted(report.triangles_outside, "triangle"), report.triangles_too_long,
-                     counted(report.unused_points, "point")));
+    line(fmt::format(
+        "left out: {} outside, {} with too long an edge, {}{}",
+        counted(report.triangles_outside, "triangle"), report.triangles_too_long,
+        counted(report.unused_points, "point"),
+        report.walls_left_out == 0
+            ? ""
+            : ", " + counted(report.walls_left_out, "edge of lines", "edges of lines")));
   return text;
 }
 
@@ -256,6 +266,7 @@ Json constraints_json(const JoinReport& joined, const ConstraintReport& report) 
           {"vertices_added", joined.added + joined.crossings},
           {"vertices_at_points", joined.at_points},
           {"vertices_snapped", joined.snapped},
+          {"pieces_snapped_away", joined.collapsed},
           {"vertices_from_surface", joined.soft},
           {"vertices_at_crossings", joined.crossings},
           {"largest_difference_at_crossings", joined.largest_crossing_difference},
@@ -265,7 +276,8 @@ Json constraints_json(const JoinReport& joined, const ConstraintReport& report) 
           {"largest_conflict", joined.largest_conflict},
           {"triangles_outside", report.triangles_outside},
           {"triangles_too_long", report.triangles_too_long},
-          {"points_left_out", report.unused_points}};
+          {"points_left_out", report.unused_points},
+          {"edges_left_out", report.walls_left_out}};
 }
 
 }  // namespace hodt::app

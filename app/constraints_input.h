@@ -2,6 +2,7 @@
 // Tested by tests/app/constraints_test.cpp.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -34,9 +35,10 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
                        const std::string& output, const std::string& json);
 
 /// Reads the files and joins them with the points, whose file is `input`. Of a mesh, `numbers` says
-/// which of the points each vertex is; kNone of those of no triangle.
+/// which of the points each vertex is; kNone of those of no triangle; `surface` are its triangles.
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
-                        PointSet points, std::span<const Index> numbers = {});
+                        PointSet points, std::span<const Index> numbers = {},
+                        std::span<const std::array<Index, 3>> surface = {});
 
 /// Adds what an existing mesh, read from `input`, has to keep to. Throws ParameterError for options
 /// that do not go with a mesh.

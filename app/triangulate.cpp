@@ -249,7 +249,7 @@ int run(const Arguments& arguments) {
     source = read_source(arguments.input);
     require_same_crs(input, source.input.crs, options.keep.source, options.keep.crs);
     Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
-                                     source.numbers);
+                                     source.numbers, source.constraints.triangles);
     if (source.is_tin) add_given(source.constraints, input, joined);
     // Cells that are too many are so before the work begins, unless a part of the terrain is cut
     // out.

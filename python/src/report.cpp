@@ -89,7 +89,8 @@ nb::dict constraints_dict(const JoinReport& joined, const ConstraintReport& repo
       entry("edges", report.edges), entry("edges_kept", report.walls),
       entry("vertices_added", joined.added + joined.crossings),
       entry("vertices_at_points", joined.at_points), entry("vertices_snapped", joined.snapped),
-      entry("vertices_from_surface", joined.soft), entry("vertices_at_crossings", joined.crossings),
+      entry("pieces_snapped_away", joined.collapsed), entry("vertices_from_surface", joined.soft),
+      entry("vertices_at_crossings", joined.crossings),
       entry("largest_difference_at_crossings", joined.largest_crossing_difference),
       entry("heights_replaced", joined.heights_replaced),
       entry("largest_replacement", joined.largest_replacement),
@@ -97,7 +98,8 @@ nb::dict constraints_dict(const JoinReport& joined, const ConstraintReport& repo
       entry("largest_conflict", joined.largest_conflict),
       entry("triangles_outside", report.triangles_outside),
       entry("triangles_too_long", report.triangles_too_long),
-      entry("points_left_out", report.unused_points));
+      entry("points_left_out", report.unused_points),
+      entry("edges_left_out", report.walls_left_out));
 }
 
 nb::object heights_dict(const std::optional<DuplicateHeights>& heights) {

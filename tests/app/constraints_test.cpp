@@ -55,6 +55,23 @@ TEST_F(ConstraintsCommand, leaves_out_what_is_outside) {
   EXPECT_EQ(report["triangles"], 9);
 }
 
+TEST_F(ConstraintsCommand, tells_of_lines_that_are_lost) {
+  put("far.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n20,0.4,0\n20.5,0.9,0\n");
+  put("keep.csv", "u,v\n3,4\n");
+  const Outcome cut =
+      run("triangulate far.csv -o a.ply --max-edge 3 --keep-edges keep.csv -k 0 --json a.json");
+  ASSERT_EQ(cut.exit_code, 0) << cut.err;
+  EXPECT_EQ(json("a.json")["constraints"]["edges_left_out"], 1);
+  EXPECT_NE(cut.out.find("1 edge of lines"), std::string::npos) << cut.out;
+  put("short.geojson", line("[[0.9,0.1],[1.1,0.1],[1,0.9]]"));
+  const Outcome snapped =
+      run("triangulate far.csv -o a.ply --breaklines short.geojson --snap 0.3 --json a.json");
+  ASSERT_EQ(snapped.exit_code, 0) << snapped.err;
+  EXPECT_EQ(json("a.json")["constraints"]["pieces_snapped_away"], 1);
+  EXPECT_NE(snapped.out.find("1 piece with both ends to the same one: gone"), std::string::npos)
+      << snapped.out;
+}
+
 TEST_F(ConstraintsCommand, names_lines_that_cross) {
   put("other.geojson", line("[[0.5,2.75],[0.5,0.25]]"));
   expect_refused(

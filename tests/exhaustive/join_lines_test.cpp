@@ -159,6 +159,24 @@ TEST(JoinLines, TheSurfaceHasTheLinesWithHeights) {
   }
 }
 
+TEST(JoinLines, TheSurfaceBendsAtLinesWithHeights) {
+  const PointSet flat{{{0, 0}, {10, 0}, {20, 0}, {0, 10}, {10, 10}, {20, 10}}, {0, 0, 0, 0, 0, 0}};
+  const Line embankment{{{1, 5}, {19, 5}}, {100, 100}}, ditch{{{10, 5}, {10, 7.5}}, {}};
+  for (const auto& parts : {std::vector{embankment, ditch}, std::vector{ditch, embankment}}) {
+    const Joined joined = join(flat, lines(parts));
+    EXPECT_EQ(joined.points.z, (Heights{0, 0, 0, 0, 0, 0, 100, 100, 100, 50}));
+  }
+}
+
+TEST(JoinLines, TheSurfaceOfAMeshIsItsOwn) {
+  // Not the Delaunay triangulation's, which has the other diagonal.
+  const PointSet ridge{{{0, 0}, {4, -1.5}, {8, 0}, {4, 1.5}}, {100, 0, 100, 0}};
+  const std::vector<std::array<Index, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+  const Lines line = lines({{{{4, 0}, {4, 1.5}}, {}}});
+  EXPECT_EQ(join(ridge, line).points.z[4], 0);
+  EXPECT_EQ(join(ridge, line, {.surface = triangles}).points.z[4], 100);
+}
+
 TEST(JoinLines, OutsideThereIsNoHeightToTake) {
   const Lines source = lines({{{{1, 1}, {11, 1}}, {3, 3}}, {{{5, 5}, {10.9, 9}}, {}}});
   const std::string error = error_of({{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {0, 0, 0, 0}},
@@ -266,6 +284,33 @@ TEST(JoinLines, ACrossingGetsAVertexWithTheHeightOfTheLineNamedFirst) {
   EXPECT_EQ(joined.place_of(2), "roads.geojson, feature 1, between x 1, y 1 and x 9, y 9");
   EXPECT_EQ(joined.place_of(3), "roads.geojson, feature 2, between x 1, y 9 and x 9, y 1");
   EXPECT_EQ(joined.place_of(4), joined.place_of(3));
+}
+
+TEST(JoinLines, ACrossingWithALineWithoutHeightsHasThatOfTheOther) {
+  const Line hard{{{1, 5}, {9, 5}}, {50, 50}}, soft{{{5, 1}, {5, 9}}, {}};
+  for (const auto& parts : {std::vector{hard, soft}, std::vector{soft, hard}}) {
+    const Joined joined = join(square(), lines(parts), kSplit);
+    ASSERT_EQ(joined.report.crossings, 1u);
+    EXPECT_EQ(joined.points.z.back(), 50);
+  }
+}
+
+TEST(JoinLines, LinesAlongEachOtherAreNotSplitWithoutEnd) {
+  // One straight line, four times, with other vertices each.
+  std::vector<Line> parts;
+  for (int i = 1; i <= 4; ++i) {
+    Line line;
+    for (const double t : {0.0, 0.11 * i, 0.2 + 0.1 * i, 0.93 - 0.013 * i, 1.0})
+      line.xy.push_back({433000.1 + 900.2 * t, 5400000.1 + 777.6 * t});
+    parts.push_back(line);
+  }
+  const PointSet corners{
+      {{433000, 5400000}, {434000, 5400000}, {433000, 5401000}, {434000, 5401000}}, {1, 2, 3, 4}};
+  try {
+    EXPECT_LT(join(corners, lines(parts), kSplit).report.crossings, 100u);
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("along each other"), std::string::npos);
+  }
 }
 
 TEST(JoinLines, ManyLinesThroughOnePlaceHaveOneVertexThere) {

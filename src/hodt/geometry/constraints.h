@@ -44,6 +44,7 @@ struct ConstraintReport {
   std::size_t triangles_outside = 0;   ///< left out, as they are not in the domain
   std::size_t triangles_too_long = 0;  ///< left out for max_edge
   std::size_t unused_points = 0;       ///< left out, as no triangle has them
+  std::size_t walls_left_out = 0;      ///< edges of the given ones that no triangle has then
 };
 
 }  // namespace hodt

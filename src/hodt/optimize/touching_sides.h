@@ -1,6 +1,7 @@
 // Where a domain touches itself at a point, each side there has a vertex of its own, and what is
 // optimised counts each for itself. These tell what whoever has the mesh finds: at a point once,
-// among all its neighbours. Tested by tests/exhaustive/constraints_small_test.cpp.
+// among all its neighbours.
+// Tested by tests/exhaustive/constraints_small_test.cpp.
 #pragma once
 
 #include <span>

@@ -41,6 +41,16 @@ std::vector<std::array<VertexId, 2>> vertices_of(std::span<const Constraints::Ed
       std::move(crossings));
 }
 
+/// Edges that are walls.
+std::size_t count_walls(const Delaunay& delaunay) {
+  std::size_t count = 0;
+  for (Index i = 0; i < delaunay.walls.size(); ++i) {
+    const HalfEdgeId h(i);
+    if (delaunay.walls[h]) count += delaunay.mesh.is_boundary(h) || h < delaunay.mesh.twin(h);
+  }
+  return count;
+}
+
 }  // namespace
 
 Point crossing_place(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -65,16 +75,14 @@ ConstraintReport constrain(Delaunay& delaunay, const PointSet& points,
   report.edges = edges.size();
   if (std::vector<CrossingEdges> crossings = insert_walls(delaunay, ends); !crossings.empty())
     throw_crossing(points, edges, std::move(crossings));
+  const std::size_t walls = count_walls(delaunay);
   const Restriction restriction = restrict_to_domain(
       delaunay, std::span(ends).subspan(constraints.edges.size()), constraints.max_edge);
   report.triangles_outside = restriction.outside;
   report.triangles_too_long = restriction.too_long;
   report.unused_points = restriction.unused;
-  for (Index i = 0; i < delaunay.walls.size(); ++i) {
-    const HalfEdgeId h(i);
-    if (delaunay.walls[h])
-      report.walls += delaunay.mesh.is_boundary(h) || h < delaunay.mesh.twin(h);
-  }
+  report.walls = count_walls(delaunay);
+  report.walls_left_out = walls - report.walls;
   return report;
 }
 

@@ -90,6 +90,12 @@ class Joiner {
   void find_points();
   void take_vertices(bool with_heights);
   void take_heights_of_surface();
+  Tin surface(std::size_t size) const;
+  std::vector<std::array<Index, 2>> pieces_with_heights() const;
+  bool is_hard(Index edge) const {  // one with heights
+    const auto [s, l, i] = joined_.origins[edge];
+    return joined_.sources[s].lines[l].has_heights();
+  }
   void add_edges();
   void split_crossings();
   bool split_crossings_once(std::unordered_map<Point, Index, HashOfPoint>& rows);
@@ -141,6 +147,7 @@ void Joiner::snap_to_points() {
   for (Lines& source : joined_.sources)
     for (Line& line : source.lines) {
       const bool is_ring = line.xy.size() > 1 && line.is_closed();
+      const std::vector<Point> before = line.xy;
       for (Point& p : line.xy) {
         const Point& q = d.vertices.xy[nearest[next++]];
         if (p == q || std::hypot(p.x - q.x, p.y - q.y) > options_.snap) continue;
@@ -148,6 +155,8 @@ void Joiner::snap_to_points() {
         // A ring's last vertex is its first one.
         joined_.report.snapped += !is_ring || &p != &line.xy.back();
       }
+      for (std::size_t i = 0; i + 1 < before.size(); ++i)
+        joined_.report.collapsed += before[i] != before[i + 1] && line.xy[i] == line.xy[i + 1];
     }
 }
 
@@ -214,18 +223,8 @@ void Joiner::take_heights_of_surface() {
   PointSet& points = joined_.points;
   const std::size_t first = soft_.front();
   joined_.report.soft = soft_.size();
-  PointSet known;
-  known.xy.assign(points.xy.begin(), points.xy.begin() + std::ptrdiff_t(first));
-  known.z.assign(points.z.begin(), points.z.begin() + std::ptrdiff_t(first));
-  const Delaunay d = delaunay(known);
-  Tin tin;
-  tin.points = std::move(known);
-  const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, tin.points.size());
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const auto [a, b, c] = mesh.corners(TriangleId(t));
-    tin.triangles.push_back({a, b, c});
-  }
-  const std::vector<double> heights = interpolate(tin, std::span(points.xy).subspan(first));
+  const std::vector<double> heights =
+      interpolate(surface(first), std::span(points.xy).subspan(first));
   std::copy(heights.begin(), heights.end(), points.z.begin() + std::ptrdiff_t(first));
   for_each_line([&](const Lines& source, const Line& line) {
     for (const Point& p : line.xy)
@@ -235,6 +234,40 @@ void Joiner::take_heights_of_surface() {
             "there is none to take; give the line heights, or end it within the points",
             source.source, source.part, line.part, p.x, p.y));
   });
+}
+
+/// Of the first so many points, which have heights.
+Tin Joiner::surface(std::size_t size) const {
+  Tin tin;
+  tin.points.xy.assign(joined_.points.xy.begin(), joined_.points.xy.begin() + std::ptrdiff_t(size));
+  tin.points.z.assign(joined_.points.z.begin(), joined_.points.z.begin() + std::ptrdiff_t(size));
+  if (!options_.surface.empty()) {
+    tin.triangles.assign(options_.surface.begin(), options_.surface.end());
+    return tin;
+  }
+  Delaunay d = delaunay(tin.points);
+  const Buffer<VertexId> vertex_of = vertices_of_rows(tin.points, d.vertices);
+  std::vector<std::array<VertexId, 2>> walls;
+  for (const auto& [a, b] : pieces_with_heights()) walls.push_back({vertex_of[a], vertex_of[b]});
+  // Where they cross each other some are left out.
+  insert_walls(d, walls);
+  const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, size);
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.corners(TriangleId(t));
+    tin.triangles.push_back({a, b, c});
+  }
+  return tin;
+}
+
+/// By their rows.
+std::vector<std::array<Index, 2>> Joiner::pieces_with_heights() const {
+  std::vector<std::array<Index, 2>> pieces;
+  for_each_line([&](const Lines&, const Line& line) {
+    if (!line.has_heights()) return;
+    for (std::size_t i = 0; i + 1 < line.xy.size(); ++i)
+      pieces.push_back({places_.at(line.xy[i]).row, places_.at(line.xy[i + 1]).row});
+  });
+  return pieces;
 }
 
 void Joiner::add_edges() {
@@ -257,12 +290,20 @@ void Joiner::split_crossings() {
   // Rounding moves the pieces a little, so that they can cross others: hardly ever, and not for
   // long.
   constexpr int kMostRounds = 100;
+  constexpr std::size_t kSome = 1000;
   std::unordered_map<Point, Index, HashOfPoint> rows;
-  for (int round = 0; round < kMostRounds; ++round)
+  std::size_t most = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
     if (!split_crossings_once(rows)) return;
+    const std::size_t added = joined_.report.crossings;
+    if (round == 0) most = 2 * added + kSome;
+    // Of lines along each other the pieces cross more and more.
+    if (added > most) break;
+  }
   throw InputError(fmt::format(
       "after {} vertices were added where lines cross, lines still cross: these lines run along "
-      "each other within the rounding of their coordinates; snap them, or leave one out",
+      "each other within the rounding of their coordinates; leave one out, or give them the same "
+      "vertices there",
       joined_.report.crossings));
 }
 
@@ -286,10 +327,12 @@ Index Joiner::vertex_at_crossing(const CrossingEdges& crossing,
   const auto [at, is_new] = rows.try_emplace(p, as_index(points.size()));
   JoinReport& report = joined_.report;
   if (has_heights()) {
+    // What was measured comes before what was taken from the surface.
+    const bool is_other = !is_hard(crossing.first) && is_hard(crossing.second);
     const double height = height_on(crossing.first, p), other = height_on(crossing.second, p);
     report.largest_crossing_difference =
         std::max(report.largest_crossing_difference, std::fabs(height - other));
-    if (is_new) points.z.push_back(height);
+    if (is_new) points.z.push_back(is_other ? other : height);
   }
   if (!is_new) return at->second;
   ++report.crossings;

@@ -2,6 +2,7 @@
 // Tested by tests/exhaustive/join_lines_test.cpp.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -21,12 +22,16 @@ struct JoinOptions {
   bool split_crossings = false;
   /// Vertices of lines that are no further than this from a point move to the nearest one.
   double snap = 0;
+  /// Triangles on the points, embedded: the surface that vertices without heights take theirs from,
+  /// if it is not the Delaunay triangulation's.
+  std::span<const std::array<Index, 3>> surface = {};
 };
 
 struct JoinReport {
   std::size_t added = 0;      ///< vertices of lines that became points
   std::size_t at_points = 0;  ///< vertices of lines at the place of a point
   std::size_t snapped = 0;    ///< of these, vertices that moved there
+  std::size_t collapsed = 0;  ///< pieces of lines whose ends moved to the same point
   std::size_t soft = 0;       ///< of those added, vertices whose height is the surface's
   /// Places whose point had another height than a line gives it, and the largest difference.
   std::size_t heights_replaced = 0;
@@ -59,8 +64,9 @@ struct Joined {
 /// Joins the points with lines, whose pieces become edges of the constraints, and with an outline,
 /// whose pieces become the boundary. Of a vertex at the place of a point the height of the line, if
 /// it has one, becomes the point's. Vertices without heights that are at no point take theirs from
-/// the Delaunay triangulation of the points and the vertices with heights. If the points have no
-/// heights, those of lines do not count.
+/// the Delaunay triangulation of the points and the vertices with heights, constrained to the lines
+/// with heights. Where a line with heights crosses one without, the height is that of the first. If
+/// the points have no heights, those of lines do not count.
 ///
 /// Throws InputError if all lines of a source are beside the points, so that they are of another
 /// coordinate system; naming the line and the vertex, if such a vertex is outside of that
