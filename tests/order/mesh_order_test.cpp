@@ -176,5 +176,18 @@ TEST(MeshOrder, of_a_large_delaunay_triangulation_on_any_threads) {
   }
 }
 
+TEST(MeshOrder, APointOfNoTriangleMayLieOnTheBorder) {
+  // Not convex: the border is a wall, and the last point lies on it.
+  const PointSet points{{{0, 0}, {4, 0}, {0, 4}, {1, 1}, {2, 0}}, {}};
+  const List triangles{{0, 1, 3}, {0, 3, 2}};
+  const std::vector<std::array<Index, 2>> border{{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+  const MeshOrder order = order_of_mesh(points, triangles, {}, border);
+  EXPECT_EQ(order.missing_walls, 0u);
+  EXPECT_EQ(order.order, 1u);  // it is inside the circle of the first triangle
+  // A line that the mesh has not is still found out.
+  const std::vector<std::array<Index, 2>> line{{3, 4}};
+  EXPECT_EQ(order_of_mesh(points, triangles, line, border).missing_walls, 1u);
+}
+
 }  // namespace
 }  // namespace hodt

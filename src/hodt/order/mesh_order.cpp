@@ -30,10 +30,8 @@ struct Counts {
 
 using Edge = std::array<Index, 2>;
 
-/// Makes the walls, and counts those that the triangles do not have.
-std::size_t make_walls(Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
-                       std::span<const std::array<Index, 3>> triangles,
-                       std::span<const Edge> walls) {
+void make_walls(Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
+                std::span<const Edge> walls) {
   std::vector<std::array<VertexId, 2>> ends;
   for (const auto& [u, v] : walls) ends.push_back({vertex_of[u], vertex_of[v]});
   if (const std::vector<CrossingEdges> crossings = insert_walls(delaunay, ends);
@@ -43,6 +41,11 @@ std::size_t make_walls(Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
         "the edge from vertex {} to {} and that from {} to {} have to be there, but they cross",
         walls[i][0], walls[i][1], walls[j][0], walls[j][1]));
   }
+}
+
+/// Walls that the triangles do not have.
+std::size_t missing_walls(const Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
+                          std::span<const std::array<Index, 3>> triangles) {
   const std::vector<Edge> edges =
       sorted_edges(triangles, [&](Index row) { return Index(vertex_of[row]); });
   std::size_t missing = 0;
@@ -57,13 +60,21 @@ std::size_t make_walls(Delaunay& delaunay, const Buffer<VertexId>& vertex_of,
 }  // namespace
 
 MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index, 3>> triangles,
-                        std::span<const std::array<Index, 2>> walls) {
+                        std::span<const std::array<Index, 2>> walls,
+                        std::span<const std::array<Index, 2>> border) {
   Delaunay delaunay = hodt::delaunay({points.xy, {}});
   const Buffer<VertexId> vertex_of = vertices_of_rows(points, delaunay.vertices);
   if (!walls.empty()) {
+    Delaunay with_walls = delaunay;
+    make_walls(with_walls, vertex_of, walls);
     MeshOrder unknown;
-    unknown.missing_walls = make_walls(delaunay, vertex_of, triangles, walls);
+    unknown.missing_walls = missing_walls(with_walls, vertex_of, triangles);
     if (unknown.missing_walls > 0) return unknown;
+  }
+  if (!walls.empty() || !border.empty()) {
+    std::vector<Edge> all(walls.begin(), walls.end());
+    all.insert(all.end(), border.begin(), border.end());
+    make_walls(delaunay, vertex_of, all);
   }
   const DelaunayGraph graph(delaunay);
 

@@ -28,9 +28,11 @@ struct MeshOrder {
 /// embedded or not. Requires every triangle counter-clockwise and every corner < points.size().
 ///
 /// With walls, edges between points, the orders are constrained orders: points that are not reached
-/// without crossing a wall do not count. Then requires an embedded mesh. Throws InputError if walls
-/// cross.
+/// without crossing a wall do not count. Then requires an embedded mesh. The edges of its border
+/// are walls, too, but are not looked for in the mesh: a point of no triangle can lie on one.
+/// Throws InputError if walls cross.
 MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index, 3>> triangles,
-                        std::span<const std::array<Index, 2>> walls = {});
+                        std::span<const std::array<Index, 2>> walls = {},
+                        std::span<const std::array<Index, 2>> border = {});
 
 }  // namespace hodt

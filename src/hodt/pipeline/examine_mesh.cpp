@@ -10,11 +10,9 @@ MeshFindings examine_mesh(Tin tin, std::vector<std::array<Index, 2>> walls) {
   findings.embedding = check_embedding(tin.points.xy, tin.triangles);
   if (!findings.embedding.embedded) return findings;
   if (findings.embedding.clockwise > 0) make_counter_clockwise(tin);
-  if (!findings.embedding.covers_hull) {
-    const std::vector<std::array<Index, 2>> border = boundary_edges(tin.triangles);
-    walls.insert(walls.end(), border.begin(), border.end());
-  }
-  findings.order = order_of_mesh(tin.points, tin.triangles, walls);
+  std::vector<std::array<Index, 2>> border;
+  if (!findings.embedding.covers_hull) border = boundary_edges(tin.triangles);
+  findings.order = order_of_mesh(tin.points, tin.triangles, walls, border);
   findings.quality = quality_of(tin.points.xy, tin.triangles);
   if (tin.points.has_heights()) findings.extrema = count_extrema(tin.points, tin.triangles);
   return findings;
