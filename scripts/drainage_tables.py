@@ -22,6 +22,8 @@ MEASURES = (("RMSE", "rmse", True), ("fill volume", "fill_volume", True), ("stre
 
 
 CONTOURS = "bigtujunga, contours"
+# Of the largest there is.
+NOTHING = 1e-6
 
 
 def name_of(row):
@@ -34,6 +36,10 @@ def changes(rows):
         return tuple(row[name] for name in ("terrain", "kind", "share", "seed"))
 
     plain = {sample(row): row for row in rows if row["objective"] == "none"}
+    largest = collections.defaultdict(float)
+    for row in plain.values():
+        for _, column, _ in MEASURES:
+            largest[row["terrain"], column] = max(largest[row["terrain"], column], row[column] or 0)
     found = collections.defaultdict(lambda: collections.defaultdict(list))
     for row in rows:
         before = plain.get(sample(row))
@@ -42,8 +48,10 @@ def changes(rows):
         setting = f"{row['objective']}@{int(row['k'])}"
         for _, column, is_ratio in MEASURES:
             now, then = row[column], before[column]
-            if now is None or then is None or (is_ratio and then == 0):
+            if now is None or then is None:
                 continue
+            if is_ratio and then <= NOTHING * largest[row["terrain"], column]:
+                continue  # no water to fill but for rounding: to be compared with nothing
             found[name_of(row), setting][column].append(100 * (now / then - 1) if is_ratio else now - then)
     return found
 
