@@ -37,7 +37,7 @@ TEST_P(Walls, has_the_edges_and_is_delaunay_apart_from_them) {
 }
 
 INSTANTIATE_TEST_SUITE_P(families, Walls, testing::ValuesIn(families::all()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& family) { return family.param.name; });
 
 /// One edge across a lattice, past hundreds of vertices or through them.
 TEST(ConstrainedDelaunay, has_long_edges) {

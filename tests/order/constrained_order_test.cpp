@@ -329,7 +329,7 @@ void expect_lists_by_rows(const Walled& walled) {
     std::vector<std::pair<Edge, int>> found;
     for_each_edge(walled.graph, edge_class, k, numbering, [&](std::span<const EdgeRecord> piece) {
       for (const auto& [u, v, order] : piece)
-        found.push_back({{static_cast<int>(u), static_cast<int>(v)}, order});
+        found.push_back({{static_cast<int>(u), static_cast<int>(v)}, static_cast<int>(order)});
     });
     const EdgeOrders expected = edges_of_class(walled, edge_class, k);
     ASSERT_EQ(found, (std::vector<std::pair<Edge, int>>(expected.begin(), expected.end())));
