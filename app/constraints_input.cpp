@@ -244,6 +244,9 @@ std::string constraints_text(const JoinReport& joined, const ConstraintReport& r
   if (joined.heights_in_conflict > 0)
     line(fmt::format("{} given twice, by up to {} apart; the first one counts",
                      counted(joined.heights_in_conflict, "height"), joined.largest_conflict));
+  if (joined.heights_passed > 0)
+    line(fmt::format("{} that lines pass through stay, by up to {} beside the line",
+                     counted(joined.heights_passed, "height"), joined.largest_passed));
   if (joined.crossings > 0)
     line(fmt::format("{} added where lines cross; their heights differ by {} at most",
                      counted(joined.crossings, "vertex", "vertices"),
@@ -274,6 +277,8 @@ Json constraints_json(const JoinReport& joined, const ConstraintReport& report) 
           {"largest_replacement", joined.largest_replacement},
           {"heights_in_conflict", joined.heights_in_conflict},
           {"largest_conflict", joined.largest_conflict},
+          {"heights_passed", joined.heights_passed},
+          {"largest_passed", joined.largest_passed},
           {"triangles_outside", report.triangles_outside},
           {"triangles_too_long", report.triangles_too_long},
           {"points_left_out", report.unused_points},

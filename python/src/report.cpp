@@ -96,6 +96,8 @@ nb::dict constraints_dict(const JoinReport& joined, const ConstraintReport& repo
       entry("largest_replacement", joined.largest_replacement),
       entry("heights_in_conflict", joined.heights_in_conflict),
       entry("largest_conflict", joined.largest_conflict),
+      entry("heights_passed", joined.heights_passed),
+      entry("largest_passed", joined.largest_passed),
       entry("triangles_outside", report.triangles_outside),
       entry("triangles_too_long", report.triangles_too_long),
       entry("points_left_out", report.unused_points),

@@ -159,6 +159,21 @@ TEST(JoinLines, TheSurfaceHasTheLinesWithHeights) {
   }
 }
 
+TEST(JoinLines, HeightsThatLinesPassThroughStayAndAreTold) {
+  PointSet points = square();
+  points.xy.insert(points.xy.end(), {{3, 4}, {5, 4}, {7, 4}});
+  points.z.insert(points.z.end(), {60, 100, 120});
+  const Line passing{{{1, 4}, {9, 4}}, {20, 180}}, ending{{{4, 4}, {4, 6}}, {50, 1}};
+  const Joined joined = join(points, lines({passing, ending}));
+  EXPECT_EQ(joined.points.z[4], 60);
+  EXPECT_EQ(joined.points.z[5], 100);
+  EXPECT_EQ(joined.points.z[6], 120);
+  // 60 and 100 are on the line; 120 is not 140, and the other line ends at 50, not at 80.
+  EXPECT_EQ(joined.report.heights_passed, 2u);
+  EXPECT_EQ(joined.report.largest_passed, 30);
+  EXPECT_EQ(joined.report.heights_in_conflict, 0u);
+}
+
 TEST(JoinLines, TheSurfaceBendsAtLinesWithHeights) {
   const PointSet flat{{{0, 0}, {10, 0}, {20, 0}, {0, 10}, {10, 10}, {20, 10}}, {0, 0, 0, 0, 0, 0}};
   const Line embankment{{{1, 5}, {19, 5}}, {100, 100}}, ditch{{{10, 5}, {10, 7.5}}, {}};

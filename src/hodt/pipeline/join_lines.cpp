@@ -13,6 +13,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/delaunay/delaunay.h"
+#include "hodt/geometry/predicates.h"
 #include "hodt/hydrology/nearest_points.h"
 #include "hodt/pipeline/constrain.h"
 #include "hodt/tin/interpolate.h"
@@ -40,6 +41,13 @@ struct Place {
 
 Index as_index(std::size_t number) {
   return static_cast<Index>(number);
+}
+
+/// Of points on one line.
+bool is_between(const Point& a, const Point& p, const Point& b) {
+  return lexicographically_less(a, b)
+             ? lexicographically_less(a, p) && lexicographically_less(p, b)
+             : lexicographically_less(b, p) && lexicographically_less(p, a);
 }
 
 void note(std::size_t& count, double& largest, double difference) {
@@ -89,8 +97,9 @@ class Joiner {
   void snap_to_points();
   void find_points();
   void take_vertices(bool with_heights);
-  void take_heights_of_surface();
-  Tin surface(std::size_t size) const;
+  void look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_of);
+  void take_heights_of_surface(Tin surface);
+  void bring_heights_together();
   std::vector<std::array<Index, 2>> pieces_with_heights() const;
   bool is_hard(Index edge) const {  // one with heights
     const auto [s, l, i] = joined_.origins[edge];
@@ -101,7 +110,11 @@ class Joiner {
   bool split_crossings_once(std::unordered_map<Point, Index, HashOfPoint>& rows);
   Index vertex_at_crossing(const CrossingEdges& crossing,
                            std::unordered_map<Point, Index, HashOfPoint>& rows);
-  double height_on(Index edge, const Point& p) const;
+  double height_between(Index a, Index b, const Point& p) const;
+  double height_on(Index number, const Point& p) const {
+    const auto& [a, b] = edge(number);
+    return height_between(a, b, p);
+  }
   const Constraints::Edge& edge(Index number) const {
     const Constraints& c = joined_.constraints;
     return number < c.edges.size() ? c.edges[number] : c.boundary[number - c.edges.size()];
@@ -129,7 +142,7 @@ Joined Joiner::join(std::span<const Lines> lines, const std::optional<Outline>& 
   find_points();
   take_vertices(true);
   take_vertices(false);
-  take_heights_of_surface();
+  bring_heights_together();
   add_edges();
   if (options_.split_crossings) split_crossings();
   return std::move(joined_);
@@ -218,13 +231,67 @@ void Joiner::take_vertices(bool with_heights) {
       points.z[row] = points.z[place->second.row];
 }
 
-void Joiner::take_heights_of_surface() {
-  if (soft_.empty()) return;
+/// What lines with heights say of the points they pass through, and of vertices that have none.
+void Joiner::bring_heights_together() {
+  const std::vector<std::array<Index, 2>> pieces = pieces_with_heights();
+  const bool is_surface_given = !options_.surface.empty();
+  if (!has_heights() || (pieces.empty() && soft_.empty())) return;
+  const std::size_t size = soft_.empty() ? joined_.points.size() : soft_.front();
+  Tin surface;
+  surface.points.xy.assign(joined_.points.xy.begin(),
+                           joined_.points.xy.begin() + std::ptrdiff_t(size));
+  surface.points.z.assign(joined_.points.z.begin(),
+                          joined_.points.z.begin() + std::ptrdiff_t(size));
+  if (!pieces.empty() || !is_surface_given) {
+    Delaunay d = delaunay(surface.points);
+    const Buffer<VertexId> vertex_of = vertices_of_rows(surface.points, d.vertices);
+    std::vector<std::array<VertexId, 2>> walls;
+    for (const auto& [a, b] : pieces) walls.push_back({vertex_of[a], vertex_of[b]});
+    // Where they cross each other some are left out.
+    insert_walls(d, walls);
+    look_along_lines(d, vertex_of);
+    const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, size);
+    for (Index t = 0; t < mesh.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.corners(TriangleId(t));
+      surface.triangles.push_back({a, b, c});
+    }
+  }
+  if (is_surface_given) surface.triangles.assign(options_.surface.begin(), options_.surface.end());
+  if (!soft_.empty()) take_heights_of_surface(std::move(surface));
+}
+
+/// From vertex to vertex along each piece of a line with heights.
+void Joiner::look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_of) {
+  const std::span<const Point> xy = d.vertices.xy;
+  const Buffer<HalfEdgeId> outgoing = outgoing_halfedges(d.mesh);
+  const auto next_on = [&](VertexId from, VertexId to) {
+    VertexId next = to;
+    const auto look = [&](VertexId w) {
+      if (w != from && orient(xy[from], xy[to], xy[w]) == 0 && is_between(xy[from], xy[w], xy[to]))
+        next = w;
+    };
+    for_each_neighbour(d.mesh, outgoing[from], look);
+    return next;
+  };
+  for (const auto& [a, b] : pieces_with_heights()) {
+    const VertexId end = vertex_of[b];
+    for (VertexId v = vertex_of[a]; v != end;) {
+      v = next_on(v, end);
+      if (v == end) break;
+      const double line = height_between(a, b, xy[v]), difference = d.vertices.z[v] - line;
+      const double rounding =
+          1e-12 * (std::fabs(joined_.points.z[a]) + std::fabs(joined_.points.z[b]));
+      if (std::fabs(difference) > rounding)
+        note(joined_.report.heights_passed, joined_.report.largest_passed, difference);
+    }
+  }
+}
+
+void Joiner::take_heights_of_surface(Tin surface) {
   PointSet& points = joined_.points;
   const std::size_t first = soft_.front();
   joined_.report.soft = soft_.size();
-  const std::vector<double> heights =
-      interpolate(surface(first), std::span(points.xy).subspan(first));
+  const std::vector<double> heights = interpolate(surface, std::span(points.xy).subspan(first));
   std::copy(heights.begin(), heights.end(), points.z.begin() + std::ptrdiff_t(first));
   for_each_line([&](const Lines& source, const Line& line) {
     for (const Point& p : line.xy)
@@ -234,29 +301,6 @@ void Joiner::take_heights_of_surface() {
             "there is none to take; give the line heights, or end it within the points",
             source.source, source.part, line.part, p.x, p.y));
   });
-}
-
-/// Of the first so many points, which have heights.
-Tin Joiner::surface(std::size_t size) const {
-  Tin tin;
-  tin.points.xy.assign(joined_.points.xy.begin(), joined_.points.xy.begin() + std::ptrdiff_t(size));
-  tin.points.z.assign(joined_.points.z.begin(), joined_.points.z.begin() + std::ptrdiff_t(size));
-  if (!options_.surface.empty()) {
-    tin.triangles.assign(options_.surface.begin(), options_.surface.end());
-    return tin;
-  }
-  Delaunay d = delaunay(tin.points);
-  const Buffer<VertexId> vertex_of = vertices_of_rows(tin.points, d.vertices);
-  std::vector<std::array<VertexId, 2>> walls;
-  for (const auto& [a, b] : pieces_with_heights()) walls.push_back({vertex_of[a], vertex_of[b]});
-  // Where they cross each other some are left out.
-  insert_walls(d, walls);
-  const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, size);
-  for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const auto [a, b, c] = mesh.corners(TriangleId(t));
-    tin.triangles.push_back({a, b, c});
-  }
-  return tin;
 }
 
 /// By their rows.
@@ -307,9 +351,8 @@ void Joiner::split_crossings() {
       joined_.report.crossings));
 }
 
-/// The height of the line there.
-double Joiner::height_on(Index number, const Point& p) const {
-  const auto& [a, b] = edge(number);
+/// The height of a piece between these rows there.
+double Joiner::height_between(Index a, Index b, const Point& p) const {
   const PointSet& points = joined_.points;
   const Point &from = points.xy[a], &to = points.xy[b];
   const double dx = to.x - from.x, dy = to.y - from.y;

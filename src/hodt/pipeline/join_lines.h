@@ -39,6 +39,10 @@ struct JoinReport {
   /// Places that lines give different heights, where the first one's counts, likewise.
   std::size_t heights_in_conflict = 0;
   double largest_conflict = 0;
+  /// Points that lines with heights pass through between their vertices at other heights, which
+  /// stay, and the largest difference.
+  std::size_t heights_passed = 0;
+  double largest_passed = 0;
   /// Vertices added where lines cross, and the largest difference of the two lines' heights there.
   std::size_t crossings = 0;
   double largest_crossing_difference = 0;
