@@ -121,6 +121,19 @@ def test_pits_by_flooding(rng):
             assert depth == (0 if v in border else max(level, z[v]) - z[v])
 
 
+def test_vertices_without_a_triangle_are_neither_pits_nor_extrema():
+    points = [[5, 5, 0], [0, 0, 1], [1, 0, 2], [0, 1, 3.0]]
+    lonely, empty = hodt.Tin(points, [[1, 2, 3]]), hodt.Tin(points, np.empty((0, 3), int))
+    assert [a.tolist() for a in lonely.pits()] == [[1], [0]]
+    assert lonely.minima().tolist() == [1] and lonely.maxima().tolist() == [3]
+    for tin in (empty, hodt.Tin(np.empty((0, 3)), [])):
+        assert [len(a) for a in tin.pits()] == [0, 0]
+        assert len(tin.minima()) == len(tin.maxima()) == len(tin.boundary()) == 0
+        assert len(tin.area()) == len(tin.slope()) == len(tin.aspect()) == 0
+        assert np.isnan(tin.interpolate([0, 0])) and tin.find_triangle([[0, 0]]).tolist() == [-1]
+    assert empty.contours([1]) == empty.contours(interval=1) == [] and empty.check()["triangles"] == 0
+
+
 def test_contours_are_at_their_level_with_higher_ground_on_the_left(tin):
     lines = tin.contours(interval=2, base=0.5)
     assert {level for level, _ in lines} == {0.5, 2.5, 4.5, 6.5} and lines == sorted(
@@ -135,7 +148,7 @@ def test_contours_are_at_their_level_with_higher_ground_on_the_left(tin):
         left = tin.interpolate((xy[1:] - along / 2 + aside)[long])
         assert (left[~np.isnan(left)] > level).all()
     for arguments in (dict(), dict(levels=[1], interval=1), dict(levels=[2, 1]), dict(interval=0),
-                      dict(levels="high")):
+                      dict(levels="high"), dict(interval=3, base=1e17), dict(interval=3, base=np.nan)):
         with pytest.raises(hodt.ParameterError):
             tin.contours(**arguments)
 
