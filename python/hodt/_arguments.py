@@ -41,6 +41,13 @@ def finite(array, name):
     return array
 
 
+def frozen(array):
+    """The array, as nobody can change it: whoever has it remembers what it knows of it."""
+    if array.flags.writeable:
+        array.flags.writeable = False
+    return array
+
+
 def _refuse_disordered_columns(points, name):
     columns = getattr(points, "columns", None)  # of a data frame
     if columns is None:

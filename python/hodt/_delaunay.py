@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from . import _hodt
-from ._arguments import as_places, as_points, as_threads
+from ._arguments import as_places, as_points, as_threads, frozen
 from ._errors import ParameterError
 
 
@@ -27,10 +27,15 @@ class Delaunay:
     def __init__(self, points, *, threads=None):
         array = as_points(points)
         threads = as_threads(threads)
-        self.points = np.array(array[:, :2], order="C")  # a copy: the caller's may change
-        self.simplices, self.neighbors, self._vertex_of_row = _hodt.adjacency(array, threads)
-        for made in (self.points, self.simplices, self.neighbors):
-            made.flags.writeable = False
+        points = np.array(array[:, :2], order="C")  # a copy: the caller's may change
+        self.__setstate__((points, *_hodt.adjacency(array, threads)))
+
+    def __getstate__(self):
+        """Copies and pickles have the arrays, and find out the rest anew."""
+        return self.points, self.simplices, self.neighbors, self._vertex_of_row
+
+    def __setstate__(self, arrays):
+        self.points, self.simplices, self.neighbors, self._vertex_of_row = map(frozen, arrays)
 
     @property
     def npoints(self):

@@ -5,16 +5,9 @@ from functools import cached_property
 import numpy as np
 
 from . import _hodt
-from ._arguments import as_path, as_points, as_rows, as_threads, finite
+from ._arguments import as_path, as_points, as_rows, as_threads, finite, frozen
 from ._errors import InputError, ParameterError
 from ._optional import optional
-
-
-def _frozen(array):
-    """The array as nobody can change it: a Tin remembers what it knows of it."""
-    if array.flags.writeable:
-        array.flags.writeable = False
-    return array
 
 
 class Tin:
@@ -31,9 +24,9 @@ class Tin:
 
     def __init__(self, points, triangles, crs=None):
         array = finite(as_points(points), "points")
-        self.xy = _frozen(np.array(array[:, :2], order="C"))
-        self.z = _frozen(array[:, 2].copy()) if array.shape[1] == 3 else None
-        self.triangles = _frozen(as_rows(triangles, 3, len(array), "triangles").copy())
+        self.xy = frozen(np.array(array[:, :2], order="C"))
+        self.z = frozen(array[:, 2].copy()) if array.shape[1] == 3 else None
+        self.triangles = frozen(as_rows(triangles, 3, len(array), "triangles").copy())
         self.crs = crs
         self._is_mesh = False
 
@@ -42,10 +35,14 @@ class Tin:
         """Of arrays that the library made."""
         tin = cls.__new__(cls)
         xy, z, triangles = arrays
-        tin.xy, tin.triangles = _frozen(xy), _frozen(triangles)
-        tin.z = None if z is None else _frozen(z)
+        tin.xy, tin.triangles = frozen(xy), frozen(triangles)
+        tin.z = None if z is None else frozen(z)
         tin.crs, tin._is_mesh = crs, is_mesh
         return tin
+
+    def __reduce__(self):
+        """Copies and pickles are made of the arrays alone, and know nothing of them yet."""
+        return type(self), (self.points, self.triangles, self.crs)
 
     def __repr__(self):
         heights = "with" if self.has_heights else "without"
@@ -68,7 +65,7 @@ class Tin:
     @cached_property
     def points(self):
         """The vertices, (n, 3), or (n, 2) without heights."""
-        return self.xy if self.z is None else _frozen(np.column_stack([self.xy, self.z]))
+        return self.xy if self.z is None else frozen(np.column_stack([self.xy, self.z]))
 
     def _heights(self, what):
         if self.z is None:
@@ -114,7 +111,7 @@ class Tin:
             area = ux * vy - uy * vx
             slopes = np.stack([(uz * vy - vz * uy) / area, (vz * ux - uz * vx) / area], axis=1)
         slopes[area == 0] = np.nan
-        return _frozen(slopes)
+        return frozen(slopes)
 
     def slope(self):
         """The steepness of each triangle in degrees, float64 (m,): 0 is level. Heights and places

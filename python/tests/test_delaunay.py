@@ -1,5 +1,8 @@
 """The Delaunay triangulation, against the definition and against scipy."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
@@ -101,6 +104,19 @@ def test_as_scipy_on_scattered_points(seed):
     assert (to_theirs[ours.find_simplex(xi)] == found).all()
     np.testing.assert_allclose(ours.min_bound, theirs.min_bound)
     check_attributes(ours, points)
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda d: pickle.loads(pickle.dumps(d))],
+                         ids=["copy", "deepcopy", "pickle"])
+def test_copies_are_frozen_and_find_out_the_rest_anew(again):
+    d = hodt.Delaunay([[0, 0, 5], [1, 0, 0], [0, 1, 0], [0, 0, 3.0]])
+    assert d.coplanar.tolist() == [[0, 0, 3]] and len(d.transform)
+    other = again(d)
+    assert not {"coplanar", "transform"} & set(vars(other))
+    assert other.coplanar.tolist() == [[0, 0, 3]] and other.find_simplex([0.2, 0.2]) == 0
+    for mine, copied in ((d.points, other.points), (d.simplices, other.simplices),
+                         (d.neighbors, other.neighbors)):
+        assert np.array_equal(mine, copied) and not copied.flags.writeable
 
 
 def test_transform_gives_barycentric_coordinates(rng):

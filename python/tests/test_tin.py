@@ -1,5 +1,7 @@
 """A Tin's answers, by brute force and against other packages."""
 
+import copy
+import pickle
 import sys
 
 import numpy as np
@@ -33,6 +35,22 @@ def test_a_tin_keeps_copies():
     tin = hodt.Tin(points, triangles)
     points[0], triangles[0] = 9, 0
     assert tin.points[0].tolist() == [1, 0, 0] and tin.triangles[0].tolist() == [0, 1, 2]
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda t: pickle.loads(pickle.dumps(t))],
+                         ids=["copy", "deepcopy", "pickle"])
+def test_copies_are_frozen_and_know_nothing_yet(again, tin):
+    crs, flat = hodt.Tin(tin.points, tin.triangles, "EPSG:25832"), hodt.Tin(tin.xy, tin.triangles)
+    for one in (tin, crs, flat, hodt.Tin(np.empty((0, 2)), [])):
+        one.points, one.find_triangle([0, 0])
+        assert one is not tin or len(one.gradient)
+        other = again(one)
+        assert other == one and "gradient" not in vars(other) and not other._is_mesh
+        for array in (other.xy, other.triangles, other.points, *([] if other.z is None else [other.z])):
+            assert not array.flags.writeable
+    overlapping = again(hodt.Tin([[0, 0], [1, 0], [0, 1], [1, 1]], [[0, 1, 2], [0, 1, 3]]))
+    with pytest.raises(hodt.InputError, match="overlap"):
+        overlapping.find_triangle([0, 0])
 
 
 @pytest.mark.parametrize("points, triangles, error, says", [
