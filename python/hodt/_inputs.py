@@ -114,8 +114,9 @@ class Measure:
     direction: "min" or "max": what to make of that.
 
     Functions of triangles are asked for all valid triangles at once, up to order 16, and for others
-    that bounds need one at a time; functions across edges for a few to some hundred pairs at a time,
-    as the search comes to them. That takes far longer than a built-in measure does.
+    that bounds need one at a time; functions across edges for about a hundred pairs at most, as
+    the search comes to them. Each answer is kept for the rest of the call. That takes far longer than
+    a built-in measure does.
     """
 
     def __init__(self, of, aggregate="sum", direction="min", *, name=None, across_edges=False,
