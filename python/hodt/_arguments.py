@@ -142,6 +142,14 @@ def as_path(path):
         raise ParameterError(f"a path is needed, not {path!r}") from None
 
 
+def as_crs(crs):
+    """A text in one line, or None."""
+    if crs is None or (isinstance(crs, str) and crs.splitlines() == [crs] and "\0" not in crs
+                       and crs.encode(errors="ignore").decode() == crs):
+        return crs
+    raise ParameterError(f"crs is to be a text in one line, like EPSG:25832, or None, not {crs!r}")
+
+
 def as_progress(progress):
     if progress is not None and not callable(progress):
         raise ParameterError(f"progress is to be a function or None, not {progress!r}")

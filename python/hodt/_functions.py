@@ -228,8 +228,10 @@ def read_tin(path):
 
 
 def write_tin(tin, path):
-    """Writes a hodt.Tin as .obj or .ply (binary); vertices without heights get z = 0. The file
-    appears complete or not at all. Raises FileError, or ParameterError for other extensions."""
+    """Writes a hodt.Tin, with its crs where the format can tell one, as .ply, .obj, .vtu, .gpkg,
+    .geojson or another format of meshes: `hodt formats` lists them. Vertices without heights get
+    z = 0 in formats that want three coordinates. The file appears complete or not at all. Raises
+    FileError, or ParameterError for other extensions."""
     _tin(tin).write(path)
 
 

@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from . import _hodt
-from ._arguments import as_path, as_points, as_rows, as_threads, finite, frozen
+from ._arguments import as_crs, as_path, as_points, as_rows, as_threads, finite, frozen
 from ._errors import InputError, ParameterError
 from ._optional import optional
 
@@ -27,7 +27,7 @@ class Tin:
         self.xy = frozen(np.array(array[:, :2], order="C"))
         self.z = frozen(array[:, 2].copy()) if array.shape[1] == 3 else None
         self.triangles = frozen(as_rows(triangles, 3, len(array), "triangles").copy())
-        self.crs = crs
+        self.crs = as_crs(crs)
         self._is_mesh = False
 
     @classmethod
@@ -209,7 +209,8 @@ class Tin:
 
     def write(self, path):
         """Writes a mesh file, as hodt.write_tin does."""
-        _hodt.write_tin(self.xy, self.z, self.triangles, as_path(path))
+        crs = as_crs(self.crs) or ""
+        _hodt.write_tin(self.xy, self.z, self.triangles, crs, as_path(path))
 
     # For other packages
 

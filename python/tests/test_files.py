@@ -51,6 +51,29 @@ def test_meshes_come_back(tmp_path, rng):
     assert hodt.read_tin(packed) == tin
 
 
+def test_the_reference_system_is_written(tmp_path):
+    points = hodt.sample("jacksboro", 50)
+    tin = hodt.Tin(points, hodt.delaunay(points), "EPSG:25832")
+    for name in ("t.ply", "t.obj"):
+        tin.write(tmp_path / name)
+        assert hodt.read_tin(tmp_path / name) == tin
+        again = hodt.triangulate(hodt.read_tin(tmp_path / name), 1, "none").tin
+        hodt.write_tin(again, tmp_path / name)
+        assert hodt.read_tin(tmp_path / name).crs == "EPSG:25832"
+    for name in ("t.xml", "t.geojson", "t.gpkg"):
+        tin.write(tmp_path / name)
+        assert b"25832" in (tmp_path / name).read_bytes(), name
+    tin.crs = None
+    tin.write(tmp_path / "none.ply")
+    assert hodt.read_tin(tmp_path / "none.ply").crs is None
+    for crs in (25832, "", "EPSG:25832\nv 1 2 3", "EPSG:\0", "\ud800"):
+        tin.crs = crs
+        for make in (lambda: tin.write(tmp_path / "bad.obj"), lambda: hodt.Tin(tin.points, tin.triangles, crs)):
+            with pytest.raises(hodt.ParameterError, match="crs is to be"):
+                make()
+    assert not (tmp_path / "bad.obj").exists()
+
+
 def test_errors_of_files(tmp_path):
     for read in (hodt.read_points, hodt.read_tin):
         with pytest.raises(hodt.FileError, match="nowhere") as caught:
