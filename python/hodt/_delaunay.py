@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from . import _hodt
-from ._arguments import as_places, as_points, as_threads, frozen
+from ._arguments import as_grid_of_places, as_places, as_points, as_threads, frozen
 from ._errors import ParameterError
 
 
@@ -117,12 +117,9 @@ class Delaunay:
         """
         if tol not in (None, 0):
             raise ParameterError("find_simplex is exact; leave tol out")
-        xi = np.asarray(xi)
-        if xi.shape[-1:] != (2,):
-            raise ParameterError(f"xi: an array of shape (..., 2) is needed, not {xi.shape}")
-        flat = as_points(xi.reshape(-1, 2), "xi")
+        flat, shape = as_grid_of_places(xi, "xi")
         found = np.full(len(flat), -1, np.int32)
         there = np.isfinite(flat).all(axis=1)
         places = as_places(flat[there], "xi")
         found[there] = _hodt.triangles_at(self.points, self.simplices, places, 0)
-        return found.reshape(xi.shape[:-1])
+        return found.reshape(shape)

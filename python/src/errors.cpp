@@ -1,5 +1,6 @@
 // The library's exceptions as those of hodt/_errors.py.
 #include <exception>
+#include <string_view>
 
 #include "sections.h"
 
@@ -11,9 +12,12 @@ namespace {
 
 namespace nb = nanobind;
 
-void raise(const char* name, const char* what) {
+/// Names of files may be any bytes.
+void raise(const char* name, std::string_view what) {
   const nb::object type = nb::module_::import_("hodt._errors").attr(name);
-  PyErr_SetString(type.ptr(), what);
+  const nb::object text =
+      nb::steal(PyUnicode_DecodeUTF8(what.data(), Py_ssize_t(what.size()), "backslashreplace"));
+  PyErr_SetObject(type.ptr(), text.ptr());
 }
 
 void translate(const std::exception_ptr& error, void*) {

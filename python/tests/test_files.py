@@ -69,7 +69,7 @@ def test_the_reference_system_is_written(tmp_path):
     for crs in (25832, "", "EPSG:25832\nv 1 2 3", "EPSG:\0", "\ud800"):
         tin.crs = crs
         for make in (lambda: tin.write(tmp_path / "bad.obj"), lambda: hodt.Tin(tin.points, tin.triangles, crs)):
-            with pytest.raises(hodt.ParameterError, match="crs is to be"):
+            with pytest.raises(hodt.ParameterError, match="crs"):
                 make()
     assert not (tmp_path / "bad.obj").exists()
 
