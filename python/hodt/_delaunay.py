@@ -1,4 +1,4 @@
-"""The Delaunay triangulation with the attributes of scipy.spatial.Delaunay."""
+"""The Delaunay triangulation with most attributes of scipy.spatial.Delaunay."""
 
 from functools import cached_property
 
@@ -15,9 +15,10 @@ class Delaunay:
     points: (n, 2), or (n, 3): heights only say which of points at one place stays, the lowest.
     threads: how many may compute; None is all cores.
 
-    Attributes mean what those of scipy.spatial.Delaunay do, with indices as int32. Decisions are
-    exact: points on a circle or a line are no trouble, and there are no options for Qhull. The
-    triangles are counter-clockwise, and all points but duplicates are vertices.
+    Attributes mean what those of scipy.spatial.Delaunay do, with indices as int32; those about
+    Qhull's paraboloid, add_points and close are not there. Decisions are exact: points on a circle
+    or a line are no trouble, and there are no options for Qhull. The triangles are
+    counter-clockwise, and all points but duplicates are vertices.
 
     Raises InputError if there is no triangle or a coordinate is not finite.
     """

@@ -98,7 +98,8 @@ def _edges(points, k, edge_class, constraints, threads):
 
 def useful_edges(points, k=4, *, constraints=None, threads=None):
     """The edges that triangulations of order k can have, int32 (e, 3): u, v and the useful order,
-    u < v, sorted. Vertices are rows of points."""
+    u < v, sorted. Vertices are rows of points, here and in the functions below; with constraints
+    those from len(points) on are vertices that lines added."""
     return _edges(points, k, _hodt.USEFUL, constraints, threads)
 
 

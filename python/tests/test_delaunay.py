@@ -2,9 +2,11 @@
 
 import copy
 import pickle
+import re
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import brute
 import hodt
@@ -104,6 +106,15 @@ def test_as_scipy_on_scattered_points(seed):
     assert (to_theirs[ours.find_simplex(xi)] == found).all()
     np.testing.assert_allclose(ours.min_bound, theirs.min_bound)
     check_attributes(ours, points)
+
+
+def test_the_page_about_python_says_which_attributes_there_are():
+    there = {name for name in dir(hodt.Delaunay([[0, 0], [1, 0], [0, 1]])) if not name.startswith("_")}
+    theirs = {name for name in dir(scipy_spatial.Delaunay([[0, 0], [1, 0], [0, 1]]))
+              if not name.startswith("_")}
+    page = (ROOT / "docs" / "python.md").read_text().split("## From scipy")[1].split("\n## ")[0].split("```")[2]
+    told, missing = (set(re.findall(r"`(\w+)`", part)) for part in page.split("What is about", 1))
+    assert told == there and missing == theirs - there
 
 
 @pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda d: pickle.loads(pickle.dumps(d))],

@@ -203,6 +203,21 @@ def test_pits_to_keep():
         hodt.triangulate(points, 8, "min-max-angle", min_pit_depth=5)
 
 
+def test_vertices_are_the_points_in_their_order_and_those_that_lines_added():
+    points = hodt.sample("jacksboro", 40)
+    low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
+    line = [[*low + (high - low) * share, 100] for share in ([0.1, 0.2], [0.9, 0.3])]
+    twice = np.vstack([points[:5], points])
+    lines = hodt.Constraints(breaklines=[line])
+    tin = hodt.triangulate(twice, 2, constraints=lines).tin
+    assert np.array_equal(tin.points, np.vstack([points, line]))
+    assert hodt.useful_edges(twice, 2, constraints=lines)[:, :2].max() == len(twice) + 1
+    ring = [[*low + (high - low) * share, 100] for share in ([0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9])]
+    tin = hodt.triangulate(points, 2, constraints=hodt.Constraints(outline=[ring])).tin
+    inside = ((points[:, :2] > ring[0][:2]) & (points[:, :2] < ring[2][:2])).all(axis=1)
+    assert np.array_equal(tin.points, np.vstack([points[inside], ring])) and not inside.all()
+
+
 def test_objectives_in_order():
     points = terrain(3, n=60)
     both = hodt.triangulate(points, 1, "min-local-minima,min-sum-abn")
