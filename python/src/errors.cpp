@@ -5,6 +5,7 @@
 #include "sections.h"
 
 #include "hodt/base/error.h"
+#include "hodt/io/system_file_error.h"
 
 namespace hodt::python {
 
@@ -12,12 +13,23 @@ namespace {
 
 namespace nb = nanobind;
 
+nb::object errors(const char* name) {
+  return nb::module_::import_("hodt._errors").attr(name);
+}
+
 /// Names of files may be any bytes.
+nb::object text_of(std::string_view what) {
+  return nb::steal(PyUnicode_DecodeUTF8(what.data(), Py_ssize_t(what.size()), "backslashreplace"));
+}
+
 void raise(const char* name, std::string_view what) {
-  const nb::object type = nb::module_::import_("hodt._errors").attr(name);
-  const nb::object text =
-      nb::steal(PyUnicode_DecodeUTF8(what.data(), Py_ssize_t(what.size()), "backslashreplace"));
-  PyErr_SetObject(type.ptr(), text.ptr());
+  PyErr_SetObject(errors(name).ptr(), text_of(what).ptr());
+}
+
+void raise(const SystemFileError& e) {
+  const nb::object file = nb::steal(PyUnicode_DecodeFSDefault(e.file().c_str()));
+  const nb::object error = errors("file_error")(text_of(e.what()), e.number(), file);
+  PyErr_SetObject(error.type().ptr(), error.ptr());
 }
 
 void translate(const std::exception_ptr& error, void*) {
@@ -27,6 +39,8 @@ void translate(const std::exception_ptr& error, void*) {
     raise("InputError", e.what());
   } catch (const ParameterError& e) {
     raise("ParameterError", e.what());
+  } catch (const SystemFileError& e) {
+    raise(e);
   } catch (const FileError& e) {
     raise("FileError", e.what());
   } catch (const Error& e) {

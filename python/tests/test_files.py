@@ -1,7 +1,10 @@
 """Files of points and meshes, and the built-in terrains."""
 
+import errno
 import gzip
+import os
 import pathlib
+import pickle
 
 import numpy as np
 import pytest
@@ -90,6 +93,26 @@ def test_errors_of_files(tmp_path):
     with pytest.raises(hodt.FileError):
         hodt.write_tin(tin, tmp_path / "no" / "t.ply")
     assert not list(tmp_path.glob("t.*"))
+
+
+def test_errors_of_files_say_what_the_system_said(tmp_path):
+    tin = hodt.Tin(np.eye(3), [[0, 1, 2]])
+    no_name = os.fsdecode(os.fsencode(tmp_path) + b"/n\xff.ply")
+    for call, path, number, kind in (
+            (hodt.read_points, tmp_path / "no.csv", errno.ENOENT, FileNotFoundError),
+            (hodt.read_tin, no_name, errno.ENOENT, FileNotFoundError),
+            (hodt.Constraints, tmp_path / "no.geojson", errno.ENOENT, FileNotFoundError),
+            (hodt.read_points, tmp_path, errno.EISDIR, IsADirectoryError),
+            (tin.write, tmp_path / "no" / "t.ply", errno.ENOENT, FileNotFoundError)):
+        with pytest.raises(kind) as caught:
+            call(path)
+        error = caught.value
+        assert isinstance(error, hodt.FileError)
+        assert (error.errno, error.filename) == (number, str(path))
+        assert str(error).startswith("cannot ") and "Errno" not in str(error)
+        again = pickle.loads(pickle.dumps(error))
+        assert (type(again), str(again), again.filename) == (type(error), str(error), str(path))
+    assert str(hodt.FileError("the disk is full")) == "the disk is full"
 
 
 def test_lines_and_places_from_files(tmp_path):
