@@ -13,10 +13,7 @@ LARGEST = 2**32 - 2  # an order of which nothing is more
 
 def as_points(points, name="points"):
     """An array of float64, (n, 2) or (n, 3), that the extension can read in place."""
-    _refuse_disordered_columns(points, name)
-    if np.ma.is_masked(points):
-        raise InputError(f"{name}: some values are masked; leave their points out")
-    array = np.asarray(points)
+    array = _as_array(points, name)
     if array.ndim == 1 and array.size == 0:
         array = array.reshape(0, 2)
     if array.ndim != 2 or array.shape[1] not in (2, 3):
@@ -34,6 +31,14 @@ def as_places(places, name="places"):
     return finite(np.ascontiguousarray(array), name)
 
 
+def as_grid_of_places(places, name):
+    """(flat, shape): an array of float64, (n, 2), of places (..., 2), and the shape without the 2."""
+    array = _as_array(places, name)
+    if array.shape[-1:] != (2,):
+        raise ParameterError(f"{name}: an array of shape (..., 2) is needed, not {array.shape}")
+    return np.ascontiguousarray(as_points(array.reshape(-1, 2), name)), array.shape[:-1]
+
+
 def finite(array, name):
     if not np.isfinite(array).all():
         row = int(np.argmin(np.isfinite(array).reshape(len(array), -1).all(axis=1)))
@@ -41,8 +46,26 @@ def finite(array, name):
     return array
 
 
-def _refuse_disordered_columns(points, name):
-    columns = getattr(points, "columns", None)  # of a data frame
+def frozen(array):
+    """The array, as nobody can change it: whoever has it remembers what it knows of it."""
+    if array.flags.writeable:
+        array.flags.writeable = False
+    return array
+
+
+def _as_array(values, name):
+    """As numpy has it, unless that hides something."""
+    _refuse_disordered_columns(values, name)
+    if np.ma.is_masked(values):
+        raise InputError(f"{name}: some values are masked; leave their rows out")
+    try:
+        return np.asarray(values)
+    except (TypeError, ValueError) as error:
+        raise ParameterError(f"{name}: an array is needed, and this makes none: {error}") from error
+
+
+def _refuse_disordered_columns(values, name):
+    columns = getattr(values, "columns", None)  # of a data frame
     if columns is None:
         return
     names = [str(column).strip().lower() for column in columns]
@@ -77,7 +100,7 @@ def _as_doubles(array, name):
 
 def as_rows(rows, columns, count, name):
     """An array of int32, (m, columns), of numbers in [0, count)."""
-    array = np.asarray(rows)
+    array = _as_array(rows, name)
     if array.size == 0:
         array = np.empty((0, columns), np.int32)
     if array.ndim != 2 or array.shape[1] != columns or array.dtype.kind not in "iu":
@@ -92,9 +115,16 @@ def as_rows(rows, columns, count, name):
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
+def is_infinite(number):
+    try:
+        return bool(number == math.inf)
+    except ValueError:  # an array
+        return False
+
+
 def as_order(k, name="k"):
     """A whole number that is not negative; math.inf is without limit."""
-    if k == math.inf:
+    if is_infinite(k):
         return LARGEST
     if isinstance(k, (bool, np.bool_)):
         raise ParameterError(f"{name} is to be a whole number, not {k!r}")
@@ -128,11 +158,39 @@ def as_amount(value, name):
     return amount
 
 
-def as_path(path):
+def as_list(things, name):
     try:
-        return os.fspath(path)
+        return list(things)
     except TypeError:
+        raise ParameterError(f"{name}: a list is needed, not {things!r}") from None
+
+
+def as_name(text, name):
+    """A text that the extension can take."""
+    if not isinstance(text, str):
+        raise ParameterError(f"{name} is to be a name, not {text!r}")
+    if "\0" in text or text.encode(errors="ignore").decode() != text:
+        raise ParameterError(f"{name}: there are names of Unicode characters only, not {text!r}")
+    return text
+
+
+def as_path(path):
+    """Of any bytes that a name of a file can have: os.fsdecode gives them as a text."""
+    try:
+        name = os.fspath(path)
+        os.fsencode(name)
+    except (TypeError, UnicodeEncodeError):
         raise ParameterError(f"a path is needed, not {path!r}") from None
+    if (b"\0" if isinstance(name, bytes) else "\0") in name:
+        raise ParameterError(f"a path has no null byte, but {path!r} has")
+    return name
+
+
+def as_crs(crs):
+    """A text in one line, or None."""
+    if crs is not None and as_name(crs, "crs").splitlines() != [crs]:
+        raise ParameterError(f"crs is to be a text in one line, like EPSG:25832, or None, not {crs!r}")
+    return crs
 
 
 def as_progress(progress):

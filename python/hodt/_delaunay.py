@@ -1,11 +1,11 @@
-"""The Delaunay triangulation with the attributes of scipy.spatial.Delaunay."""
+"""The Delaunay triangulation with most attributes of scipy.spatial.Delaunay."""
 
 from functools import cached_property
 
 import numpy as np
 
 from . import _hodt
-from ._arguments import as_places, as_points, as_threads
+from ._arguments import as_grid_of_places, as_places, as_points, as_threads, frozen
 from ._errors import ParameterError
 
 
@@ -15,9 +15,10 @@ class Delaunay:
     points: (n, 2), or (n, 3): heights only say which of points at one place stays, the lowest.
     threads: how many may compute; None is all cores.
 
-    Attributes mean what those of scipy.spatial.Delaunay do, with indices as int32. Decisions are
-    exact: points on a circle or a line are no trouble, and there are no options for Qhull. The
-    triangles are counter-clockwise, and all points but duplicates are vertices.
+    Attributes mean what those of scipy.spatial.Delaunay do, with indices as int32; those about
+    Qhull's paraboloid, add_points and close are not there. Decisions are exact: points on a circle
+    or a line are no trouble, and there are no options for Qhull. The triangles are
+    counter-clockwise, and all points but duplicates are vertices.
 
     Raises InputError if there is no triangle or a coordinate is not finite.
     """
@@ -27,10 +28,15 @@ class Delaunay:
     def __init__(self, points, *, threads=None):
         array = as_points(points)
         threads = as_threads(threads)
-        self.points = np.array(array[:, :2], order="C")  # a copy: the caller's may change
-        self.simplices, self.neighbors, self._vertex_of_row = _hodt.adjacency(array, threads)
-        for made in (self.points, self.simplices, self.neighbors):
-            made.flags.writeable = False
+        points = np.array(array[:, :2], order="C")  # a copy: the caller's may change
+        self.__setstate__((points, *_hodt.adjacency(array, threads)))
+
+    def __getstate__(self):
+        """Copies and pickles have the arrays, and find out the rest anew."""
+        return self.points, self.simplices, self.neighbors, self._vertex_of_row
+
+    def __setstate__(self, arrays):
+        self.points, self.simplices, self.neighbors, self._vertex_of_row = map(frozen, arrays)
 
     @property
     def npoints(self):
@@ -112,12 +118,9 @@ class Delaunay:
         """
         if tol not in (None, 0):
             raise ParameterError("find_simplex is exact; leave tol out")
-        xi = np.asarray(xi)
-        if xi.shape[-1:] != (2,):
-            raise ParameterError(f"xi: an array of shape (..., 2) is needed, not {xi.shape}")
-        flat = as_points(xi.reshape(-1, 2), "xi")
+        flat, shape = as_grid_of_places(xi, "xi")
         found = np.full(len(flat), -1, np.int32)
         there = np.isfinite(flat).all(axis=1)
         places = as_places(flat[there], "xi")
         found[there] = _hodt.triangles_at(self.points, self.simplices, places, 0)
-        return found.reshape(xi.shape[:-1])
+        return found.reshape(shape)

@@ -9,11 +9,14 @@ import numpy as np
 from . import _hodt
 from ._arguments import (
     as_amount,
+    as_list,
+    as_name,
     as_order,
     as_path,
     as_points,
     as_progress,
     as_threads,
+    finite,
 )
 from ._errors import ParameterError
 from ._inputs import Measure, as_keep, as_objective, native_constraints
@@ -67,7 +70,7 @@ def triangulate(points, k=None, objective="min-local-minima", *, constraints=Non
     wishes = {
         "k": as_order(k),
         "objective": objective,
-        "method": method,
+        "method": as_name(method, "method"),
         "time_limit": as_amount(time_limit, "time_limit"),
         "min_pit_depth": as_amount(min_pit_depth, "min_pit_depth"),
         "keep": as_keep(keep),
@@ -95,7 +98,8 @@ def _edges(points, k, edge_class, constraints, threads):
 
 def useful_edges(points, k=4, *, constraints=None, threads=None):
     """The edges that triangulations of order k can have, int32 (e, 3): u, v and the useful order,
-    u < v, sorted. Vertices are rows of points."""
+    u < v, sorted. Vertices are rows of points, here and in the functions below; with constraints
+    those from len(points) on are vertices that lines added."""
     return _edges(points, k, _hodt.USEFUL, constraints, threads)
 
 
@@ -150,10 +154,18 @@ def voronoi(points, m=1, *, box=None, threads=None):
         points, and the box has an area.
     """
     if box is not None:
-        box = [float(side) for side in box]
-        if len(box) != 4 or not np.isfinite(box).all() or not (box[0] < box[2] and box[1] < box[3]):
-            raise ParameterError(f"box is to be left, low, right, high, not {box}")
+        box = _as_box(box)
     return Voronoi(*_hodt.voronoi(as_points(points), as_order(m, "m"), box, as_threads(threads)))
+
+
+def _as_box(box):
+    try:
+        left, low, right, high = map(float, box)
+    except (TypeError, ValueError):
+        raise ParameterError(f"box is to be left, low, right, high, not {box!r}") from None
+    if not np.isfinite([left, low, right, high]).all() or not (left < right and low < high):
+        raise ParameterError(f"box is to be left, low, right, high, not {box!r}")
+    return [left, low, right, high]
 
 
 def compare(points, orders=range(9), objectives="min-local-minima", *, constraints=None, truth=None,
@@ -173,9 +185,9 @@ def compare(points, orders=range(9), objectives="min-local-minima", *, constrain
         orders = sorted({as_order(k, "orders") for k in orders})
     except TypeError:
         orders = [as_order(orders, "orders")]
-    names = [objectives] if isinstance(objectives, str) else list(objectives)
+    names = [objectives] if isinstance(objectives, (str, Measure)) else as_list(objectives, "objectives")
     for name in names:
-        if isinstance(name, Measure) or not isinstance(name, str) or name == "none":
+        if not isinstance(name, str) or as_name(name, "objectives") == "none":
             raise ParameterError(f"objectives are to be names of what can be compared, not {name!r}")
     keeps = keep is not None or as_amount(min_pit_depth, "min_pit_depth") > 0
     if keeps and not {"min-local-minima", "min-local-extrema", "terrain"} & {n.split("+")[0] for n in names}:
@@ -184,7 +196,7 @@ def compare(points, orders=range(9), objectives="min-local-minima", *, constrain
     if isinstance(truth, (str, bytes, os.PathLike)):
         known = as_path(truth)
     elif truth is not None:
-        known = as_points(truth, "truth")
+        known = finite(as_points(truth, "truth"), "truth")
         if known.shape[1] != 3:
             raise ParameterError("truth needs heights, shape (t, 3)")
     wishes = {
@@ -210,14 +222,25 @@ def read_points(path, columns=None, *, threads=None):
     What may be wrong with points that could be read is a UserWarning. Raises FileError if the file
     cannot be read, InputError, naming the line, if it cannot be used.
     """
-    chosen = dict(columns or {})
-    choice = [str(chosen.pop(axis, "")) for axis in "xyz"]
-    if chosen:
-        raise ParameterError(f"columns are x, y and z, not {', '.join(map(str, chosen))}")
-    points, doubts = _hodt.read_points(as_path(path), choice, as_threads(threads))
+    points, doubts = _hodt.read_points(as_path(path), _as_columns(columns), as_threads(threads))
     for doubt in doubts:
         warnings.warn(doubt, stacklevel=2)
     return points
+
+
+def _as_columns(columns):
+    """The names, or the numbers as texts, of x, y and z; empty where nothing is chosen."""
+    try:
+        chosen = dict({} if columns is None else columns)
+    except (TypeError, ValueError):
+        raise ParameterError(f"columns is to be a dictionary, not {columns!r}") from None
+    if not chosen.keys() <= {"x", "y", "z"}:
+        raise ParameterError(f"columns are x, y and z, not {', '.join(map(str, chosen))}")
+    return [_as_column(chosen[axis]) if axis in chosen else "" for axis in "xyz"]
+
+
+def _as_column(column):
+    return as_name(column, "columns") if isinstance(column, str) else str(as_order(column, "columns"))
 
 
 def read_tin(path):
@@ -228,19 +251,19 @@ def read_tin(path):
 
 
 def write_tin(tin, path):
-    """Writes a hodt.Tin as .obj or .ply (binary); vertices without heights get z = 0. The file
-    appears complete or not at all. Raises FileError, or ParameterError for other extensions."""
+    """Writes a hodt.Tin, with its crs where the format can tell one, as .ply, .obj, .vtu, .gpkg,
+    .geojson or another format of meshes: `hodt formats` lists them. Vertices without heights get
+    z = 0 in formats that want three coordinates. The file appears complete or not at all. Raises
+    FileError, or ParameterError for other extensions."""
     _tin(tin).write(path)
 
 
 def sample(name, n=None, seed=1, *, threads=None):
     """Points (n, 3) of a built-in terrain: see terrains(). The same arguments give the same points."""
-    if not isinstance(name, str):
-        raise ParameterError(f"the name of a terrain is needed, not {name!r}")
     count = 0 if n is None else as_order(n, "n")
     if n is not None and count == 0:
         raise ParameterError("n is to be 1 or more, not 0")
-    return _hodt.sample(name, count, as_order(seed, "seed"), as_threads(threads))
+    return _hodt.sample(as_name(name, "the terrain"), count, as_order(seed, "seed"), as_threads(threads))
 
 
 def terrains():

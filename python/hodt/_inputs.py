@@ -5,7 +5,17 @@ import math
 import numpy as np
 
 from . import _hodt
-from ._arguments import as_amount, as_path, as_places, as_points, as_rows, finite
+from ._arguments import (
+    as_amount,
+    as_list,
+    as_name,
+    as_path,
+    as_places,
+    as_points,
+    as_rows,
+    finite,
+    is_infinite,
+)
 from ._errors import ParameterError
 
 
@@ -16,6 +26,10 @@ def _line(line, name):
         raise ParameterError(f"{name}: a line without a vertex")
     xy = np.ascontiguousarray(points[:, :2])
     return xy, np.ascontiguousarray(points[:, 2]) if points.shape[1] == 3 else None
+
+
+def _lines(lines, name):
+    return [_line(line, f"{name}[{i}]") for i, line in enumerate(as_list(lines, name))]
 
 
 def _is_path(value):
@@ -42,16 +56,16 @@ class Constraints:
         if _is_path(breaklines):
             self.breaklines = list(_hodt.read_lines(as_path(breaklines)))
         else:
-            self.breaklines = [_line(line, f"breaklines[{i}]") for i, line in enumerate(breaklines)]
+            self.breaklines = _lines(breaklines, "breaklines")
         if _is_path(outline):
             self.outline = list(_hodt.read_outline(as_path(outline)))
         else:
-            self.outline = [_line(ring, f"outline[{i}]") for i, ring in enumerate(outline)]
+            self.outline = _lines(outline, "outline")
         self.edges = as_rows(edges, 2, 2**31 - 1, "edges")
         self.boundary = as_rows(boundary, 2, 2**31 - 1, "boundary")
         if self.outline and len(self.boundary):
             raise ParameterError("outline and boundary both bound the domain; leave one out")
-        self.max_edge = math.inf if max_edge == math.inf else as_amount(max_edge, "max_edge")
+        self.max_edge = math.inf if is_infinite(max_edge) else as_amount(max_edge, "max_edge")
         self.snap = as_amount(snap, "snap")
         self.split_crossings = bool(split_crossings)
         if (self.snap or self.split_crossings) and not (self.breaklines or self.outline):
@@ -89,8 +103,9 @@ class Places:
     def __init__(self, points=(), polygons=()):
         self.points = as_places(points, "points")
         self.polygons = [
-            [as_places(ring, f"polygons[{i}][{j}]") for j, ring in enumerate(rings)]
-            for i, rings in enumerate(polygons)
+            [as_places(ring, f"polygons[{i}][{j}]")
+             for j, ring in enumerate(as_list(rings, f"polygons[{i}]"))]
+            for i, rings in enumerate(as_list(polygons, "polygons"))
         ]
 
 
@@ -100,7 +115,7 @@ def as_keep(keep):
         return keep
     if _is_path(keep):
         return Places(*_hodt.read_places(as_path(keep)))
-    return Places(keep)
+    return Places(as_places(keep, "keep"))
 
 
 class Measure:
@@ -114,8 +129,9 @@ class Measure:
     direction: "min" or "max": what to make of that.
 
     Functions of triangles are asked for all valid triangles at once, up to order 16, and for others
-    that bounds need one at a time; functions across edges for a few to some hundred pairs at a time,
-    as the search comes to them. That takes far longer than a built-in measure does.
+    that bounds need one at a time; functions across edges for about a hundred pairs at most, as
+    the search comes to them. Each answer is kept for the rest of the call. That takes far longer than
+    a built-in measure does.
     """
 
     def __init__(self, of, aggregate="sum", direction="min", *, name=None, across_edges=False,
@@ -127,7 +143,7 @@ class Measure:
         if direction not in ("min", "max"):
             raise ParameterError(f"direction is to be min or max, not {direction!r}")
         self.of = lambda *corners: np.ascontiguousarray(of(*corners), dtype=np.float64)
-        self.name = str(name or getattr(of, "__name__", "own"))
+        self.name = as_name(str(name or getattr(of, "__name__", "own")), "name")
         self.aggregate, self.direction = aggregate, direction
         self.across_edges, self.needs_heights = bool(across_edges), bool(needs_heights)
 
@@ -137,4 +153,4 @@ def as_objective(objective):
         return "none"
     if not isinstance(objective, (str, Measure)):
         raise ParameterError(f"objective is to be a name or a hodt.Measure, not {objective!r}")
-    return objective
+    return objective if isinstance(objective, Measure) else as_name(objective, "objective")

@@ -8,7 +8,8 @@ from ._image import image_tag
 class Result:
     """A triangulation and what is known of it.
 
-    tin: the hodt.Tin. Vertices are the points in their order, without dropped duplicates.
+    tin: the hodt.Tin. Its vertices are the points in their order, without dropped duplicates and
+        those of no triangle (outside an outline, say), and after them the vertices that lines added.
     report: a dictionary with the names of the command's JSON. Each is an attribute, too:
         result.order, result.value["bound"], result.local_minima["result"]["interior"].
     """

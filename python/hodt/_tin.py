@@ -1,20 +1,26 @@
 """A triangulated irregular network: the surface that is linear on each triangle."""
 
+import math
 from functools import cached_property
 
 import numpy as np
 
 from . import _hodt
-from ._arguments import as_path, as_points, as_rows, as_threads, finite
+from ._arguments import (
+    as_amount,
+    as_crs,
+    as_grid_of_places,
+    as_path,
+    as_points,
+    as_rows,
+    as_threads,
+    finite,
+    frozen,
+)
 from ._errors import InputError, ParameterError
 from ._optional import optional
 
-
-def _frozen(array):
-    """The array as nobody can change it: a Tin remembers what it knows of it."""
-    if array.flags.writeable:
-        array.flags.writeable = False
-    return array
+MOST_CELLS = 10_000_000_000  # of a raster, as `hodt raster` has it
 
 
 class Tin:
@@ -31,10 +37,10 @@ class Tin:
 
     def __init__(self, points, triangles, crs=None):
         array = finite(as_points(points), "points")
-        self.xy = _frozen(np.array(array[:, :2], order="C"))
-        self.z = _frozen(array[:, 2].copy()) if array.shape[1] == 3 else None
-        self.triangles = _frozen(as_rows(triangles, 3, len(array), "triangles").copy())
-        self.crs = crs
+        self.xy = frozen(np.array(array[:, :2], order="C"))
+        self.z = frozen(array[:, 2].copy()) if array.shape[1] == 3 else None
+        self.triangles = frozen(as_rows(triangles, 3, len(array), "triangles").copy())
+        self.crs = as_crs(crs)
         self._is_mesh = False
 
     @classmethod
@@ -42,10 +48,14 @@ class Tin:
         """Of arrays that the library made."""
         tin = cls.__new__(cls)
         xy, z, triangles = arrays
-        tin.xy, tin.triangles = _frozen(xy), _frozen(triangles)
-        tin.z = None if z is None else _frozen(z)
+        tin.xy, tin.triangles = frozen(xy), frozen(triangles)
+        tin.z = None if z is None else frozen(z)
         tin.crs, tin._is_mesh = crs, is_mesh
         return tin
+
+    def __reduce__(self):
+        """Copies and pickles are made of the arrays alone, and know nothing of them yet."""
+        return type(self), (self.points, self.triangles, self.crs)
 
     def __repr__(self):
         heights = "with" if self.has_heights else "without"
@@ -68,12 +78,16 @@ class Tin:
     @cached_property
     def points(self):
         """The vertices, (n, 3), or (n, 2) without heights."""
-        return self.xy if self.z is None else _frozen(np.column_stack([self.xy, self.z]))
+        return self.xy if self.z is None else frozen(np.column_stack([self.xy, self.z]))
 
     def _heights(self, what):
         if self.z is None:
             raise ParameterError(f"{what} needs heights, and the TIN has none")
         return self.z
+
+    def _require_triangles(self, what):
+        if len(self.triangles) == 0:
+            raise ParameterError(f"{what} needs triangles, and the TIN has none")
 
     def _require_mesh(self, what):
         if self._is_mesh:
@@ -92,13 +106,15 @@ class Tin:
         """
         z = self._heights("interpolate")
         self._require_mesh("interpolate")
-        flat, shape = _flat_places(xy)
+        flat, shape = as_grid_of_places(xy, "xy")
+        finite(flat, "xy")
         return _hodt.interpolate(self.xy, z, self.triangles, flat, as_threads(threads)).reshape(shape)
 
     def find_triangle(self, xy, *, threads=None):
         """A triangle at each place (..., 2), its border included, as int32 (...); -1 for none."""
         self._require_mesh("find_triangle")
-        flat, shape = _flat_places(xy)
+        flat, shape = as_grid_of_places(xy, "xy")
+        finite(flat, "xy")
         return _hodt.triangles_at(self.xy, self.triangles, flat, as_threads(threads)).reshape(shape)
 
     # Triangles
@@ -114,7 +130,7 @@ class Tin:
             area = ux * vy - uy * vx
             slopes = np.stack([(uz * vy - vz * uy) / area, (vz * ux - uz * vx) / area], axis=1)
         slopes[area == 0] = np.nan
-        return _frozen(slopes)
+        return frozen(slopes)
 
     def slope(self):
         """The steepness of each triangle in degrees, float64 (m,): 0 is level. Heights and places
@@ -212,7 +228,8 @@ class Tin:
 
     def write(self, path):
         """Writes a mesh file, as hodt.write_tin does."""
-        _hodt.write_tin(self.xy, self.z, self.triangles, as_path(path))
+        crs = as_crs(self.crs) or ""
+        _hodt.write_tin(self.xy, self.z, self.triangles, crs, as_path(path))
 
     # For other packages
 
@@ -220,6 +237,7 @@ class Tin:
         """Draws the triangles, coloured by height if there are heights, with matplotlib; returns the
         axes. Options go to matplotlib's tripcolor (triplot without heights)."""
         pyplot = optional("matplotlib.pyplot", "plot")
+        self._require_triangles("plot")
         if ax is None:
             ax = pyplot.figure().add_subplot()
         x, y = self.xy.T
@@ -259,12 +277,18 @@ class Tin:
         """An xarray.DataArray of the heights on a grid with cells of that size, at their middles; NaN
         outside. The first row is the northernmost, as in most rasters."""
         xarray = optional("xarray", "grid")
-        if not resolution > 0:
-            raise ParameterError(f"resolution is to be more than 0, not {resolution!r}")
-        (left, low), (right, high) = self.xy.min(axis=0), self.xy.max(axis=0)
-        columns, rows = (max(1, int(np.ceil(size / resolution))) for size in (right - left, high - low))
-        x = left + (np.arange(columns) + 0.5) * resolution
-        y = high - (np.arange(rows) + 0.5) * resolution
+        self._require_triangles("to_xarray")
+        step = as_amount(resolution, "resolution")
+        if step == 0:
+            raise ParameterError("resolution is to be more than 0")
+        (left, low), (right, high) = self.xy.min(axis=0).tolist(), self.xy.max(axis=0).tolist()
+        columns, rows = (max(1.0, size / step) for size in (right - left, high - low))
+        if columns * rows > MOST_CELLS:
+            raise ParameterError(f"a resolution of {step:g} makes more than {MOST_CELLS:,} cells; "
+                                 "choose a larger one")
+        columns, rows = math.ceil(columns), math.ceil(rows)
+        x = left + (np.arange(columns) + 0.5) * step
+        y = high - (np.arange(rows) + 0.5) * step
         heights = self.interpolate(np.stack(np.meshgrid(x, y), axis=-1))
         attributes = {} if self.crs is None else {"crs": self.crs}
         return xarray.DataArray(heights, {"y": y, "x": x}, ("y", "x"), name="height",
@@ -272,11 +296,3 @@ class Tin:
 
     def _spatial(self):
         return self.points if self.z is not None else np.column_stack([self.xy, np.zeros(len(self.xy))])
-
-
-def _flat_places(xy):
-    array = np.asarray(xy)
-    if array.shape[-1:] != (2,):
-        raise ParameterError(f"xy: an array of shape (..., 2) is needed, not {array.shape}")
-    flat = finite(as_points(array.reshape(-1, 2), "xy"), "xy")
-    return np.ascontiguousarray(flat), array.shape[:-1]

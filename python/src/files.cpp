@@ -51,9 +51,13 @@ nb::tuple read_mesh(const Path& path) {
 }
 
 void write_mesh(const PlaceArray& xy, const std::optional<HeightArray>& z,
-                const IntegerArray& triangles, const Path& path) {
+                const IntegerArray& triangles, const std::string& crs, const Path& path) {
   check_output_extension(path);
-  result_of({}, [&](const Progress&) { return write_tin(tin_of(xy, z, triangles), path), 0; });
+  result_of({}, [&](const Progress&) {
+    Tin tin = tin_of(xy, z, triangles);
+    tin.crs = crs;
+    return write_tin(tin, path), 0;
+  });
 }
 
 nb::object sample(const std::string& name, std::size_t n, std::uint64_t seed, std::size_t threads) {
@@ -113,7 +117,7 @@ void add_files(nb::module_& module) {
   module.def("read_points", read_points, nb::arg("path"), nb::arg("columns"), nb::arg("threads"));
   module.def("read_tin", read_mesh, nb::arg("path"));
   module.def("write_tin", write_mesh, nb::arg("xy"), nb::arg("z").none(), nb::arg("triangles"),
-             nb::arg("path"));
+             nb::arg("crs"), nb::arg("path"));
   module.def("read_lines", read_line_file, nb::arg("path"));
   module.def("read_outline", read_outline_file, nb::arg("path"));
   module.def("read_places", read_keep_file, nb::arg("path"));

@@ -55,6 +55,19 @@ std::vector<double> ask(const nb::handle function, const std::string& name, std:
   return {values.data(), values.data() + count};
 }
 
+/// Which point a corner is.
+class RowsOfCorners {
+ public:
+  RowsOfCorners() = default;
+  RowsOfCorners(const PointSet& points, const Delaunay& d) {
+    for (const Index row : d.vertices.row) row_at_.emplace(points.xy[row], row);
+  }
+  Index operator()(const Corner& corner) const { return row_at_.at({corner.x, corner.y}); }
+
+ private:
+  std::unordered_map<Point, Index, HashOfPoint> row_at_;
+};
+
 }  // namespace
 
 class OwnMeasure::Answers {
@@ -64,7 +77,7 @@ class OwnMeasure::Answers {
   void prepare(const PointSet& points, Index order) {
     points_ = &points;
     const Delaunay d = delaunay(points);
-    for (const Index row : d.vertices.row) row_at_.emplace(points.xy[row], row);
+    row_of_ = RowsOfCorners(points, d);
     if (order > kMostOrder) return;
     DelaunayGraph graph(d);
     graph.list_neighbours();
@@ -76,7 +89,7 @@ class OwnMeasure::Answers {
   }
 
   double of(const Corner& a, const Corner& b, const Corner& c) {
-    std::array<Index, 3> rows = {row_of(a), row_of(b), row_of(c)};
+    std::array<Index, 3> rows = {row_of_(a), row_of_(b), row_of_(c)};
     std::rotate(rows.begin(), std::min_element(rows.begin(), rows.end()), rows.end());
     const Known key = {std::min(rows[1], rows[2]), std::max(rows[1], rows[2]), 0};
     if (!first_.empty()) {
@@ -99,7 +112,6 @@ class OwnMeasure::Answers {
     bool operator<(const Known& other) const { return b != other.b ? b < other.b : c < other.c; }
   };
 
-  Index row_of(const Corner& corner) const { return row_at_.at({corner.x, corner.y}); }
   Corner corner(Index row) const {
     const Point& p = points_->xy[row];
     return {p.x, p.y, points_->has_heights() ? points_->z[row] : 0};
@@ -142,11 +154,71 @@ class OwnMeasure::Answers {
   nb::handle function_;
   std::string name_;
   const PointSet* points_ = nullptr;
-  std::unordered_map<Point, Index, HashOfPoint> row_at_;
+  RowsOfCorners row_of_;
   std::vector<std::size_t> first_;  // of each row where its triangles begin
   std::vector<Known> known_;
   std::mutex mutex_;
   std::map<std::array<Index, 3>, double> others_;
+};
+
+/// Numpy may give other last bits where it is asked for another number of rows. So once asked for,
+/// an answer stays the same here, too.
+class OwnMeasure::EdgeAnswers {
+ public:
+  EdgeAnswers(nb::handle function, std::string name)
+      : function_(function), name_(std::move(name)) {}
+
+  void prepare(const PointSet& points) { row_of_ = RowsOfCorners(points, delaunay(points)); }
+
+  void of(std::span<const std::array<Corner, 4>> edges, std::span<double> values) {
+    std::vector<Rows> rows(edges.size());
+    std::ranges::transform(edges, rows.begin(), [&](const auto& edge) { return rows_of(edge); });
+    const std::vector<std::size_t> unknown = look_up(rows, values);
+    if (unknown.empty()) return;
+    std::vector<Corner> corners(4 * unknown.size());
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      for (std::size_t place = 0; place < 4; ++place)
+        corners[place * unknown.size() + i] = edges[unknown[i]][place];
+    const std::vector<double> answers = ask(function_, name_, 4, corners);
+    const std::lock_guard lock(mutex_);  // another thread may have asked for the same
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+      values[unknown[i]] = known_.emplace(rows[unknown[i]], answers[i]).first->second;
+  }
+
+ private:
+  using Rows = std::array<Index, 4>;
+
+  struct HashOfRows {
+    std::size_t operator()(const Rows& rows) const {
+      std::size_t hash = 0;
+      for (const Index row : rows) hash = (hash ^ row) * 0x9E3779B97F4A7C15u;
+      return hash ^ (hash >> 32);
+    }
+  };
+
+  Rows rows_of(const std::array<Corner, 4>& edge) const {
+    return {row_of_(edge[0]), row_of_(edge[1]), row_of_(edge[2]), row_of_(edge[3])};
+  }
+
+  /// Fills in the values that are known. Those that are not, by their places.
+  std::vector<std::size_t> look_up(const std::vector<Rows>& rows, std::span<double> values) {
+    std::vector<std::size_t> unknown;
+    const std::lock_guard lock(mutex_);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto found = known_.find(rows[i]);
+      if (found != known_.end())
+        values[i] = found->second;
+      else
+        unknown.push_back(i);
+    }
+    return unknown;
+  }
+
+  nb::handle function_;
+  std::string name_;
+  RowsOfCorners row_of_;
+  std::mutex mutex_;  // never held where Python's lock is waited for
+  std::unordered_map<Rows, double, HashOfRows> known_;
 };
 
 OwnMeasure::OwnMeasure(nb::handle objective) {
@@ -158,8 +230,7 @@ OwnMeasure::OwnMeasure(nb::handle objective) {
   }
   const auto name = nb::cast<std::string>(objective.attr("name"));
   const bool needs_heights = nb::cast<bool>(objective.attr("needs_heights"));
-  const nb::object held = objective.attr("of");
-  const nb::handle function = held;  // the objective keeps it
+  function_ = objective.attr("of");
   const auto aggregate_name = nb::cast<std::string>(objective.attr("aggregate"));
   const Direction direction = nb::cast<std::string>(objective.attr("direction")) == "max"
                                   ? Direction::maximize
@@ -168,25 +239,20 @@ OwnMeasure::OwnMeasure(nb::handle objective) {
                               : aggregate_name == "max" ? Aggregate::max
                                                         : Aggregate::min;
   if (nb::cast<bool>(objective.attr("across_edges"))) {
-    const auto of_many = [function, name](std::span<const std::array<Corner, 4>> edges,
-                                          std::span<double> values) {
-      std::vector<Corner> corners(4 * edges.size());
-      for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t place = 0; place < 4; ++place)
-          corners[place * edges.size() + i] = edges[i][place];
-      std::ranges::copy(ask(function, name, 4, corners), values.begin());
-    };
-    const auto of = [of_many](const Corner& a, const Corner& b, const Corner& l, const Corner& r) {
+    edge_answers_ = std::make_unique<EdgeAnswers>(function_, name);
+    const auto of_many = [this](std::span<const std::array<Corner, 4>> edges,
+                                std::span<double> values) { edge_answers_->of(edges, values); };
+    const auto of = [this](const Corner& a, const Corner& b, const Corner& l, const Corner& r) {
       const std::array edge = {a, b, l, r};
       double value = 0;
-      of_many({&edge, 1}, {&value, 1});
+      edge_answers_->of({&edge, 1}, {&value, 1});
       return value;
     };
     edge_measure_ = {name, of, needs_heights, of_many};
     objective_ = {direction, aggregate, edge_measure_};
     return;
   }
-  answers_ = std::make_unique<Answers>(function, name);
+  answers_ = std::make_unique<Answers>(function_, name);
   triangle_measure_ = {
       name,
       [this](const Corner& a, const Corner& b, const Corner& c) { return answers_->of(a, b, c); },
@@ -198,6 +264,7 @@ OwnMeasure::~OwnMeasure() = default;
 
 void OwnMeasure::prepare(const PointSet& points, Index order) const {
   if (answers_) answers_->prepare(points, order);
+  if (edge_answers_) edge_answers_->prepare(points);
 }
 
 }  // namespace hodt::python

@@ -1,7 +1,12 @@
 """The Delaunay triangulation, against the definition and against scipy."""
 
+import copy
+import pickle
+import re
+
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import brute
 import hodt
@@ -101,6 +106,28 @@ def test_as_scipy_on_scattered_points(seed):
     assert (to_theirs[ours.find_simplex(xi)] == found).all()
     np.testing.assert_allclose(ours.min_bound, theirs.min_bound)
     check_attributes(ours, points)
+
+
+def test_the_page_about_python_says_which_attributes_there_are():
+    there = {name for name in dir(hodt.Delaunay([[0, 0], [1, 0], [0, 1]])) if not name.startswith("_")}
+    theirs = {name for name in dir(scipy_spatial.Delaunay([[0, 0], [1, 0], [0, 1]]))
+              if not name.startswith("_")}
+    page = (ROOT / "docs" / "python.md").read_text().split("## From scipy")[1].split("\n## ")[0].split("```")[2]
+    told, missing = (set(re.findall(r"`(\w+)`", part)) for part in page.split("What is about", 1))
+    assert told == there and missing == theirs - there
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda d: pickle.loads(pickle.dumps(d))],
+                         ids=["copy", "deepcopy", "pickle"])
+def test_copies_are_frozen_and_find_out_the_rest_anew(again):
+    d = hodt.Delaunay([[0, 0, 5], [1, 0, 0], [0, 1, 0], [0, 0, 3.0]])
+    assert d.coplanar.tolist() == [[0, 0, 3]] and len(d.transform)
+    other = again(d)
+    assert not {"coplanar", "transform"} & set(vars(other))
+    assert other.coplanar.tolist() == [[0, 0, 3]] and other.find_simplex([0.2, 0.2]) == 0
+    for mine, copied in ((d.points, other.points), (d.simplices, other.simplices),
+                         (d.neighbors, other.neighbors)):
+        assert np.array_equal(mine, copied) and not copied.flags.writeable
 
 
 def test_transform_gives_barycentric_coordinates(rng):

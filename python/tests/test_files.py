@@ -1,7 +1,10 @@
 """Files of points and meshes, and the built-in terrains."""
 
+import errno
 import gzip
+import os
 import pathlib
+import pickle
 
 import numpy as np
 import pytest
@@ -51,6 +54,29 @@ def test_meshes_come_back(tmp_path, rng):
     assert hodt.read_tin(packed) == tin
 
 
+def test_the_reference_system_is_written(tmp_path):
+    points = hodt.sample("jacksboro", 50)
+    tin = hodt.Tin(points, hodt.delaunay(points), "EPSG:25832")
+    for name in ("t.ply", "t.obj"):
+        tin.write(tmp_path / name)
+        assert hodt.read_tin(tmp_path / name) == tin
+        again = hodt.triangulate(hodt.read_tin(tmp_path / name), 1, "none").tin
+        hodt.write_tin(again, tmp_path / name)
+        assert hodt.read_tin(tmp_path / name).crs == "EPSG:25832"
+    for name in ("t.xml", "t.geojson", "t.gpkg"):
+        tin.write(tmp_path / name)
+        assert b"25832" in (tmp_path / name).read_bytes(), name
+    tin.crs = None
+    tin.write(tmp_path / "none.ply")
+    assert hodt.read_tin(tmp_path / "none.ply").crs is None
+    for crs in (25832, "", "EPSG:25832\nv 1 2 3", "EPSG:\0", "\ud800"):
+        tin.crs = crs
+        for make in (lambda: tin.write(tmp_path / "bad.obj"), lambda: hodt.Tin(tin.points, tin.triangles, crs)):
+            with pytest.raises(hodt.ParameterError, match="crs"):
+                make()
+    assert not (tmp_path / "bad.obj").exists()
+
+
 def test_errors_of_files(tmp_path):
     for read in (hodt.read_points, hodt.read_tin):
         with pytest.raises(hodt.FileError, match="nowhere") as caught:
@@ -67,6 +93,26 @@ def test_errors_of_files(tmp_path):
     with pytest.raises(hodt.FileError):
         hodt.write_tin(tin, tmp_path / "no" / "t.ply")
     assert not list(tmp_path.glob("t.*"))
+
+
+def test_errors_of_files_say_what_the_system_said(tmp_path):
+    tin = hodt.Tin(np.eye(3), [[0, 1, 2]])
+    no_name = os.fsdecode(os.fsencode(tmp_path) + b"/n\xff.ply")
+    for call, path, number, kind in (
+            (hodt.read_points, tmp_path / "no.csv", errno.ENOENT, FileNotFoundError),
+            (hodt.read_tin, no_name, errno.ENOENT, FileNotFoundError),
+            (hodt.Constraints, tmp_path / "no.geojson", errno.ENOENT, FileNotFoundError),
+            (hodt.read_points, tmp_path, errno.EISDIR, IsADirectoryError),
+            (tin.write, tmp_path / "no" / "t.ply", errno.ENOENT, FileNotFoundError)):
+        with pytest.raises(kind) as caught:
+            call(path)
+        error = caught.value
+        assert isinstance(error, hodt.FileError)
+        assert (error.errno, error.filename) == (number, str(path))
+        assert str(error).startswith("cannot ") and "Errno" not in str(error)
+        again = pickle.loads(pickle.dumps(error))
+        assert (type(again), str(again), again.filename) == (type(error), str(error), str(path))
+    assert str(hodt.FileError("the disk is full")) == "the disk is full"
 
 
 def test_lines_and_places_from_files(tmp_path):

@@ -1,5 +1,6 @@
 """Long work: other threads go on, signals end it, forks and subinterpreters do no harm, nothing leaks."""
 
+import ctypes
 import gc
 import multiprocessing
 import os
@@ -76,10 +77,51 @@ def test_ctrl_c_ends_work_within_a_second(work, ctrl_c_raises):
     sent = time.monotonic() + 0.7
     with pytest.raises(KeyboardInterrupt):
         work(points)
+        interrupt.cancel()
         pytest.skip("done before")
     assert time.monotonic() - sent < 1 + slack()
     interrupt.join()
     assert len(hodt.delaunay(points[:100])) > 100  # and all is well afterwards
+
+
+def native_handler():
+    """Of SIGINT, as the system has it."""
+    action = ctypes.create_string_buffer(256)
+    assert ctypes.CDLL(None).sigaction(signal.SIGINT, None, action) == 0
+    return ctypes.c_void_p.from_buffer(action).value
+
+
+def test_ctrl_c_stays_python_s_while_programs_are_solved_and_afterwards(ctrl_c_raises):
+    before, seen, done = native_handler(), set(), threading.Event()
+
+    def watch():
+        while not done.wait(0.0002):
+            seen.add(native_handler())
+
+    thread = threading.Thread(target=watch)
+    thread.start()
+    result = hodt.triangulate(hodt.sample("jacksboro", 3000), 6, "min-sum-length")
+    done.set()
+    thread.join()
+    assert result.value["optimal"]
+    assert seen == {before} and native_handler() == before
+
+
+@pytest.mark.parametrize("after", [0.5, 1, 1.5, 2])
+def test_ctrl_c_ends_the_command_while_programs_are_solved(command, tmp_path, after):
+    points = tmp_path / "p.csv"
+    np.savetxt(points, hodt.sample("valley", 20_000), delimiter=",", fmt="%.17g")
+    work = [command, "triangulate", points, "-k", "30", "--objective", "min-sum-length",
+            "--method", "exact", "-o", tmp_path / "t.ply"]
+    default = lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)  # noqa: E731
+    with subprocess.Popen(work, stdout=subprocess.DEVNULL, preexec_fn=default) as run:
+        time.sleep(after)
+        run.send_signal(signal.SIGINT)
+        try:
+            assert run.wait(timeout=10) == -signal.SIGINT
+        finally:
+            run.kill()
+    assert not list(tmp_path.glob("t.ply*"))
 
 
 def slack():

@@ -1,5 +1,7 @@
 """A Tin's answers, by brute force and against other packages."""
 
+import copy
+import pickle
 import sys
 
 import numpy as np
@@ -33,6 +35,22 @@ def test_a_tin_keeps_copies():
     tin = hodt.Tin(points, triangles)
     points[0], triangles[0] = 9, 0
     assert tin.points[0].tolist() == [1, 0, 0] and tin.triangles[0].tolist() == [0, 1, 2]
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda t: pickle.loads(pickle.dumps(t))],
+                         ids=["copy", "deepcopy", "pickle"])
+def test_copies_are_frozen_and_know_nothing_yet(again, tin):
+    crs, flat = hodt.Tin(tin.points, tin.triangles, "EPSG:25832"), hodt.Tin(tin.xy, tin.triangles)
+    for one in (tin, crs, flat, hodt.Tin(np.empty((0, 2)), [])):
+        one.points, one.find_triangle([0, 0])
+        assert one is not tin or len(one.gradient)
+        other = again(one)
+        assert other == one and "gradient" not in vars(other) and not other._is_mesh
+        for array in (other.xy, other.triangles, other.points, *([] if other.z is None else [other.z])):
+            assert not array.flags.writeable
+    overlapping = again(hodt.Tin([[0, 0], [1, 0], [0, 1], [1, 1]], [[0, 1, 2], [0, 1, 3]]))
+    with pytest.raises(hodt.InputError, match="overlap"):
+        overlapping.find_triangle([0, 0])
 
 
 @pytest.mark.parametrize("points, triangles, error, says", [
@@ -121,6 +139,19 @@ def test_pits_by_flooding(rng):
             assert depth == (0 if v in border else max(level, z[v]) - z[v])
 
 
+def test_vertices_without_a_triangle_are_neither_pits_nor_extrema():
+    points = [[5, 5, 0], [0, 0, 1], [1, 0, 2], [0, 1, 3.0]]
+    lonely, empty = hodt.Tin(points, [[1, 2, 3]]), hodt.Tin(points, np.empty((0, 3), int))
+    assert [a.tolist() for a in lonely.pits()] == [[1], [0]]
+    assert lonely.minima().tolist() == [1] and lonely.maxima().tolist() == [3]
+    for tin in (empty, hodt.Tin(np.empty((0, 3)), [])):
+        assert [len(a) for a in tin.pits()] == [0, 0]
+        assert len(tin.minima()) == len(tin.maxima()) == len(tin.boundary()) == 0
+        assert len(tin.area()) == len(tin.slope()) == len(tin.aspect()) == 0
+        assert np.isnan(tin.interpolate([0, 0])) and tin.find_triangle([[0, 0]]).tolist() == [-1]
+    assert empty.contours([1]) == empty.contours(interval=1) == [] and empty.check()["triangles"] == 0
+
+
 def test_contours_are_at_their_level_with_higher_ground_on_the_left(tin):
     lines = tin.contours(interval=2, base=0.5)
     assert {level for level, _ in lines} == {0.5, 2.5, 4.5, 6.5} and lines == sorted(
@@ -135,7 +166,7 @@ def test_contours_are_at_their_level_with_higher_ground_on_the_left(tin):
         left = tin.interpolate((xy[1:] - along / 2 + aside)[long])
         assert (left[~np.isnan(left)] > level).all()
     for arguments in (dict(), dict(levels=[1], interval=1), dict(levels=[2, 1]), dict(interval=0),
-                      dict(levels="high")):
+                      dict(levels="high"), dict(interval=3, base=1e17), dict(interval=3, base=np.nan)):
         with pytest.raises(hodt.ParameterError):
             tin.contours(**arguments)
 

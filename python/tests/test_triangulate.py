@@ -203,6 +203,21 @@ def test_pits_to_keep():
         hodt.triangulate(points, 8, "min-max-angle", min_pit_depth=5)
 
 
+def test_vertices_are_the_points_in_their_order_and_those_that_lines_added():
+    points = hodt.sample("jacksboro", 40)
+    low, high = points[:, :2].min(axis=0), points[:, :2].max(axis=0)
+    line = [[*low + (high - low) * share, 100] for share in ([0.1, 0.2], [0.9, 0.3])]
+    twice = np.vstack([points[:5], points])
+    lines = hodt.Constraints(breaklines=[line])
+    tin = hodt.triangulate(twice, 2, constraints=lines).tin
+    assert np.array_equal(tin.points, np.vstack([points, line]))
+    assert hodt.useful_edges(twice, 2, constraints=lines)[:, :2].max() == len(twice) + 1
+    ring = [[*low + (high - low) * share, 100] for share in ([0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9])]
+    tin = hodt.triangulate(points, 2, constraints=hodt.Constraints(outline=[ring])).tin
+    inside = ((points[:, :2] > ring[0][:2]) & (points[:, :2] < ring[2][:2])).all(axis=1)
+    assert np.array_equal(tin.points, np.vstack([points[inside], ring])) and not inside.all()
+
+
 def test_objectives_in_order():
     points = terrain(3, n=60)
     both = hodt.triangulate(points, 1, "min-local-minima,min-sum-abn")
@@ -268,6 +283,47 @@ def test_a_measure_across_edges(rng):
     boundary = total.tin.xy[total.tin.boundary()]
     outside = np.hypot(*(boundary[:, 0] - boundary[:, 1]).T).sum()
     assert own.value["result"] + outside == pytest.approx(total.value["result"])
+
+
+def rounded_by_the_number_of_rows(a, b, left, right):
+    return np.abs((a + b - left - right) @ np.array([0.3, 0.7, 0.11]))
+
+
+@pytest.mark.parametrize("direction, aggregate", [("min", "max"), ("max", "min"), ("max", "sum")])
+@pytest.mark.parametrize("k", [1, 3])
+def test_last_bits_of_a_measure_across_edges_may_depend_on_the_number_of_rows(direction, aggregate, k):
+    points = hodt.sample("jacksboro", 150)
+    measure = hodt.Measure(rounded_by_the_number_of_rows, aggregate, direction, across_edges=True)
+    value = hodt.triangulate(points, k, measure, threads=2).value
+    one_by_one = hodt.Measure(lambda *corners: [rounded_by_the_number_of_rows(*row)[0] for row in zip(
+        *(corner[:, None] for corner in corners))], aggregate, direction, across_edges=True)
+    expected = hodt.triangulate(points, k, one_by_one).value
+    for name in ("delaunay", "result", "bound"):
+        assert value[name] == pytest.approx(expected[name])
+
+
+@pytest.mark.parametrize("aggregate", ["min", "max", "sum"])
+def test_each_edge_is_asked_for_once(aggregate, rng):
+    asked = []
+
+    def of(*corners):
+        asked.extend(map(tuple, np.column_stack(corners).tolist()))
+        return rng.random(len(corners[0]))  # so it ends also where answers change
+
+    hodt.triangulate(rng.random((150, 3)), 3, hodt.Measure(of, aggregate, "max", across_edges=True),
+                     threads=1)
+    assert len(asked) == len(set(asked)) > 400
+
+
+@pytest.mark.parametrize("across_edges", [False, True])
+def test_a_measure_may_get_another_function_meanwhile(across_edges, rng):
+    def once(*corners):
+        measure.of = None
+        return np.ones(len(corners[0]))
+
+    measure = hodt.Measure(lambda *corners: once(*corners), "sum", across_edges=across_edges)
+    result = hodt.triangulate(rng.random((60, 2)), 20, measure)
+    assert result.value["result"] == result.value["delaunay"] > 100 and measure.of is None
 
 
 @pytest.mark.parametrize("of, says", [

@@ -1,6 +1,7 @@
 #include "hodt/hydrology/pit_depths.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "hodt/delaunay/delaunay.h"
+#include "hodt/mesh/glued.h"
 
 namespace hodt {
 namespace {
@@ -86,6 +88,18 @@ TEST(PitDepths, water_ends_in_a_minimum) {
       EXPECT_EQ(end, VertexId(v));
     }
   }
+}
+
+TEST(PitDepths, of_vertices_without_a_triangle_there_are_none) {
+  const std::vector<std::array<Index, 3>> triangles = {{1, 2, 3}};
+  const std::vector<Point> xy = {{5, 5}, {0, 0}, {1, 0}, {0, 1}, {7, 7}};
+  const std::vector<double> z = {-1, 1, 2, 3, 4};
+  const std::vector<Pit> pits = pit_depths(glued(xy.size(), triangles), xy, z);
+  ASSERT_EQ(pits.size(), 1u);
+  EXPECT_EQ(Index(pits[0].bottom), 1u);
+  EXPECT_EQ(pits[0].depth, 0);
+  EXPECT_TRUE(pit_depths(glued(xy.size(), {}), xy, z).empty());
+  EXPECT_TRUE(pit_depths(glued(0, {}), {}, {}).empty());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "hodt/io/atomic_write.h"
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "hodt/io/system_file_error.h"
 
 namespace hodt {
 namespace {
@@ -73,6 +76,28 @@ TEST(AtomicWrite, RefusesLinksWithoutAnEnd) {
   EXPECT_NE(message.find("Too many levels of symbolic links"), std::string::npos) << message;
   EXPECT_TRUE(std::filesystem::is_symlink(here));
   EXPECT_EQ(directory.entries(), 2u);
+}
+
+TEST(AtomicWrite, TellsTheNumberOfTheSystemAndTheFile) {
+  const TemporaryDirectory directory;
+  const auto number_of = [](const std::filesystem::path& path, const auto& write) {
+    try {
+      write(path);
+    } catch (const SystemFileError& error) {
+      EXPECT_EQ(error.file(), path);
+      return error.number();
+    }
+    return 0;
+  };
+  const auto missing = directory / "no" / "file";
+  std::filesystem::create_symlink("loop", directory / "loop");
+  const auto check = [](const auto& path) { check_writable(path); };
+  const auto write = [](const auto& path) { atomic_write(path, "content"); };
+  EXPECT_EQ(number_of(missing, check), ENOENT);
+  EXPECT_EQ(number_of(missing, write), ENOENT);
+  EXPECT_EQ(number_of(std::filesystem::path(directory / "loop"), check), ELOOP);
+  EXPECT_EQ(number_of(std::filesystem::path(directory / "x").parent_path(), check), EISDIR);
+  EXPECT_EQ(number_of("/dev/full", write), ENOSPC);
 }
 
 TEST(AtomicWrite, CompanionsAppearWithTheFile) {

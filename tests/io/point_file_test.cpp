@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "temporary_directory.h"
@@ -14,6 +16,7 @@
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
 #include "hodt/io/gzip.h"
+#include "hodt/io/system_file_error.h"
 
 namespace hodt {
 namespace {
@@ -147,6 +150,13 @@ TEST_F(PointFile, ReportsUnreadablePaths) {
     return message_of<FileError>([&] { read_points(path); });
   };
   EXPECT_NE(why(directory_ / "none.csv").find("none.csv: No such file"), std::string::npos);
+  for (const auto& [name, number] : {std::pair{"none.csv", ENOENT}, std::pair{"", EISDIR}}) try {
+      read_points(directory_ / name);
+      FAIL() << name;
+    } catch (const SystemFileError& error) {
+      EXPECT_EQ(error.number(), number);
+      EXPECT_EQ(error.file(), directory_ / name);
+    }
   EXPECT_NE(why(directory_.path()).find("directory"), std::string::npos);
 }
 

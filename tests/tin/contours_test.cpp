@@ -235,6 +235,23 @@ TEST(Contours, levels_are_multiples_from_the_base) {
   EXPECT_EQ(contour_levels(tin, 2), (std::vector<double>{-6, -4}));
 }
 
+TEST(Contours, refuse_levels_whose_numbers_are_not_exact) {
+  Tin tin = pyramid();
+  for (const double base : {1e17, -1e17, 1e300, std::numeric_limits<double>::max()})
+    for (const double interval : {3., 1e-2, 4e-6}) try {
+        contour_levels(tin, interval, base);
+        FAIL() << interval << " from " << base;
+      } catch (const ParameterError& error) {
+        EXPECT_NE(std::string(error.what()).find("choose a base that is nearer"), std::string::npos)
+            << error.what();
+      }
+  EXPECT_EQ(contour_levels(tin, 1, 0x1p53 - 16), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(contour_levels(tin, 1e10, 1e17), (std::vector<double>{0}));
+  for (double& z : tin.points.z) z += 1e17;  // and where it is the surface that is far away
+  EXPECT_THROW(contour_levels(tin, 3), ParameterError);
+  EXPECT_THROW(contour_levels(tin, 4e-324), ParameterError);
+}
+
 TEST(Contours, refuse_what_makes_no_sense) {
   const Tin tin = pyramid();
   EXPECT_THROW(contour_levels(tin, 0), ParameterError);

@@ -48,6 +48,7 @@ std::vector<Pit> pit_depths(const TriangleMesh& mesh, std::span<const Point> xy,
   Basins basins(xy.size());
   std::vector<bool> is_flooded(xy.size(), false);
   for (const Index v : order) {
+    if (!outgoing[v].valid()) continue;  // of no triangle
     is_flooded[v] = true;
     bool is_minimum = true;
     for_each_neighbour(mesh, outgoing[v], [&](VertexId w) {

@@ -17,7 +17,8 @@ struct Pit {
 
 /// All local minima with their depths, in the order of vertices. Filled with water, a pit flows
 /// over at the lowest vertex of its rim, into a lower one or one that has flowed over, or out over
-/// the boundary. By flooding from the lowest vertex up: O(n log n).
+/// the boundary. Vertices of no triangle are no pits. By flooding from the lowest vertex up:
+/// O(n log n).
 std::vector<Pit> pit_depths(const TriangleMesh& mesh, std::span<const Point> xy,
                             std::span<const double> z);
 

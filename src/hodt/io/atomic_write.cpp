@@ -17,6 +17,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "hodt/io/system_file_error.h"
+
 namespace hodt {
 
 namespace {
@@ -27,6 +29,12 @@ std::string output_name(const std::filesystem::path& path) {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw FileError(fmt::format("cannot write {}: {}", output_name(path), why));
+}
+[[noreturn]] void refuse(const std::filesystem::path& path, int error, const std::string& why) {
+  throw SystemFileError(fmt::format("cannot write {}: {}", output_name(path), why), error, path);
+}
+[[noreturn]] void refuse(const std::filesystem::path& path, int error) {
+  refuse(path, error, std::strerror(error));
 }
 
 /// The temporary files that there are. Their names change under the lock.
@@ -83,7 +91,7 @@ class TemporaryFolder {
     do {
       path_ = temporary_name(like);
       if (::mkdir(path_.c_str(), 0700) == 0) break;
-      if (errno != EEXIST) refuse(path_, std::strerror(errno));
+      if (errno != EEXIST) refuse(path_, errno);
     } while (true);
     others.names.insert(path_);
   }
@@ -245,7 +253,7 @@ void OutputFile::fail(int error) {
   const std::string message =
       fmt::format("cannot write {}: {}", output_name(target_), std::strerror(error));
   if (error == EPIPE) throw BrokenPipeError(message);
-  throw FileError(message);
+  throw SystemFileError(message, error, target_);
 }
 
 void atomic_write(const std::filesystem::path& path, std::string_view bytes) {
@@ -281,9 +289,9 @@ std::filesystem::path follow_links(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path end = path;
   for (int links = 0; std::filesystem::is_symlink(end, error); ++links) {
-    if (links == most) refuse(path, std::strerror(ELOOP));
+    if (links == most) refuse(path, ELOOP);
     const std::filesystem::path next = std::filesystem::read_symlink(end, error);
-    if (error) refuse(path, error.message());
+    if (error) refuse(path, error.value(), error.message());
     end = end.parent_path() / next;
   }
   return end;
@@ -294,16 +302,16 @@ void check_writable(const std::filesystem::path& path) {
   std::error_code error;
   if (path.empty()) refuse(path, "the path is empty");
   if (std::filesystem::is_directory(path, error) || !path.has_filename()) {
-    refuse(path, "it is a directory; name a file in it");
+    refuse(path, EISDIR, "it is a directory; name a file in it");
   }
   const bool exists = std::filesystem::exists(path, error);
-  if (exists && ::access(path.c_str(), W_OK) != 0) refuse(path, std::strerror(errno));
+  if (exists && ::access(path.c_str(), W_OK) != 0) refuse(path, errno);
   if (written_directly(path)) return;
   const std::filesystem::path directory = directory_of(follow_links(path));
   if (!std::filesystem::is_directory(directory, error)) {
-    refuse(path, fmt::format("there is no directory {}", directory.string()));
+    refuse(path, ENOENT, fmt::format("there is no directory {}", directory.string()));
   }
-  if (::access(directory.c_str(), W_OK) != 0) refuse(path, std::strerror(errno));
+  if (::access(directory.c_str(), W_OK) != 0) refuse(path, errno);
 }
 
 }  // namespace hodt

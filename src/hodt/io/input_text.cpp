@@ -11,6 +11,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/gzip.h"
+#include "hodt/io/system_file_error.h"
 #include "hodt/io/text_encoding.h"
 
 namespace hodt {
@@ -24,18 +25,22 @@ struct CloseFile {
 };
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
-[[noreturn]] void throw_unreadable(const std::string& name, const std::string& why) {
-  throw FileError(fmt::format("cannot read {}: {}", name, why));
+[[noreturn]] void throw_unreadable(const std::filesystem::path& path, int error,
+                                   const std::string& why) {
+  throw SystemFileError(fmt::format("cannot read {}: {}", display_name(path), why), error, path);
+}
+[[noreturn]] void throw_unreadable(const std::filesystem::path& path, int error) {
+  throw_unreadable(path, error, std::strerror(error));
 }
 
-FileHandle open_input(const std::filesystem::path& path, const std::string& name) {
+FileHandle open_input(const std::filesystem::path& path) {
   if (path == kStandardInput) return FileHandle(stdin);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw_unreadable(name, "it is a directory; name a file in it");
+    throw_unreadable(path, EISDIR, "it is a directory; name a file in it");
   }
   FileHandle file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw_unreadable(name, std::strerror(errno));
+  if (!file) throw_unreadable(path, errno);
   // Reads go straight into our buffer.
   std::setvbuf(file.get(), nullptr, _IONBF, 0);
   return file;
@@ -66,7 +71,7 @@ void add_padding(InputText& input) {
 InputText read_input(const std::filesystem::path& path) {
   InputText input;
   input.name = display_name(path);
-  const FileHandle file = open_input(path, input.name);
+  const FileHandle file = open_input(path);
   // One byte more than expected, so that the end of the file shows without growing.
   input.bytes = Buffer<char>(expected_size(path) + InputText::kPadding + 1);
   for (;;) {
@@ -76,7 +81,7 @@ InputText read_input(const std::filesystem::path& path) {
     if (got == room) {
       input.bytes = grown(input.bytes, input.size);
     } else if (std::ferror(file.get())) {
-      throw_unreadable(input.name, std::strerror(errno));
+      throw_unreadable(path, errno);
     } else {
       break;
     }
@@ -88,7 +93,7 @@ InputText read_input(const std::filesystem::path& path) {
 }
 
 void require_readable(const std::filesystem::path& path) {
-  open_input(path, display_name(path));
+  open_input(path);
 }
 
 void require_text(const InputText& input) {

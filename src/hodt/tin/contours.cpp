@@ -212,6 +212,19 @@ std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels
   return lines;
 }
 
+namespace {
+
+/// A level is counted by its number, and beyond 2^53 a number and the next one are the same.
+void check_level_numbers(double first, double last, double interval, double base) {
+  if (std::fabs(first) <= 0x1p53 && std::fabs(last) <= 0x1p53) return;
+  throw ParameterError(fmt::format(
+      "the surface is too many intervals of {} away from the base {} to count them exactly; "
+      "choose a base that is nearer to its heights, or a larger interval",
+      interval, base));
+}
+
+}  // namespace
+
 std::vector<double> contour_levels(const Tin& tin, double interval, double base) {
   check_heights(tin);
   if (!(interval > 0) || !std::isfinite(interval) || !std::isfinite(base))
@@ -226,13 +239,14 @@ std::vector<double> contour_levels(const Tin& tin, double interval, double base)
   const auto first_of = [&](double d) { return std::ceil(low / d - base / d) - 1; };
   const auto last_of = [&](double d) { return std::floor(high / d - base / d) + 1; };
   constexpr double kMost = 1e7;
-  const auto does = [&](double d) { return last_of(d) - first_of(d) <= kMost; };
+  const auto does = [&](double d) { return !(last_of(d) - first_of(d) > kMost); };
   if (!does(interval))
     throw ParameterError(fmt::format(
         "an interval of {} makes more than the {} levels between {} and {} that there may be; "
         "choose a larger one, {} does",
         interval, kMost, low, high, next_round_number(interval, does)));
   const double first = first_of(interval), last = last_of(interval);
+  check_level_numbers(first, last, interval, base);
   for (double i = first; i <= last; ++i) {
     const double level = base + i * interval;
     if (low <= level && level <= high && (levels.empty() || level > levels.back()))

@@ -11,6 +11,15 @@ namespace {
 
 constexpr int kMostIterations = 1'000'000;  // of one program
 
+/// Clp_initialSolve, but signals stay the program's: that takes SIGINT for itself meanwhile, ends
+/// early on it, and with several threads forgets to give it back.
+void solve_at_first(Clp_Simplex* model) {
+  const std::unique_ptr<Clp_Solve, void (*)(Clp_Solve*)> options(ClpSolve_new(), ClpSolve_delete);
+  constexpr int kSignals = 2, kAreLeft = 1;
+  ClpSolve_setSpecialOption(options.get(), kSignals, kAreLeft, -1);
+  Clp_initialSolveWithOptions(model, options.get());
+}
+
 }  // namespace
 
 LinearRelaxation::LinearRelaxation(BinaryRows rows, std::size_t most_ones, const Deadline& deadline)
@@ -48,7 +57,7 @@ void LinearRelaxation::solve(const std::vector<std::pair<Index, bool>>& fixed) {
   if (fixed.empty() && is_begun_)
     Clp_primal(model_.get(), 0);  // from the last optimum
   else if (fixed.empty())
-    Clp_initialSolve(model_.get());
+    solve_at_first(model_.get());
   else
     Clp_dual(model_.get(), 0);
 }
