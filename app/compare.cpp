@@ -374,6 +374,8 @@ int run(const Arguments& arguments) {
     }
     if (read.duplicates) comparison.duplicate_heights = read.duplicates;
     print_warnings(read);
+    print_warnings(joined);
+    print_warnings(options.keep);
     if (truth) print_warnings(arguments.truth, *truth);
   }
   Outputs outputs;

@@ -9,6 +9,7 @@
 
 #include "app/layer_file.h"
 #include "app/points_input.h"
+#include "app/warning.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -162,6 +163,11 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
   if (!arguments.max_edge.empty())
     joined.constraints.max_edge = parse_non_negative("--max-edge", "a length", arguments.max_edge);
   return joined;
+}
+
+void print_warnings(const Joined& joined) {
+  for (const Lines& source : joined.sources)
+    for (const std::string& warning : source.warnings) print_warning(source.source, warning);
 }
 
 void add_given(Constraints& given, const std::string& input, Joined& joined) {

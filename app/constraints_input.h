@@ -38,6 +38,9 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
                         PointSet points, std::span<const Index> numbers = {});
 
+/// Says on standard error what may be wrong with the lines. For the end of a run.
+void print_warnings(const Joined& joined);
+
 /// Adds what an existing mesh, read from `input`, has to keep to. Throws ParameterError for options
 /// that do not go with a mesh.
 void add_given(Constraints& given, const std::string& input, Joined& joined);

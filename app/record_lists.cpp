@@ -78,6 +78,7 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
     summary += inputs_text(read, 9);
     summary += fmt::format("{:<9} {}\n", "written", shown(arguments.output));
     print_warnings(read);
+    print_warnings(joined);
   }
   outputs.commit(summary);
   return kOk;

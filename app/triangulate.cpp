@@ -284,6 +284,8 @@ int run(const Arguments& arguments) {
     result.report.seconds.write = watch.lap();
     if (!is_raster) warn_of_rounding(arguments.output, result.tin);
     print_warnings(source.input);
+    print_warnings(joined);
+    print_warnings(options.keep);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
                      arguments.json);

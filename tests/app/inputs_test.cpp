@@ -184,6 +184,27 @@ TEST_F(InputsTest, DegreesGetOneWarningThatNamesTheRemedy) {
             std::string::npos);
 }
 
+TEST_F(InputsTest, LabelsOfDrawingsAreToldWhereverTheyAreLeftOut) {
+  if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
+  const std::string text = "0\nTEXT\n8\nL\n10\n1\n20\n1\n30\n0\n40\n1\n1\n412.5\n";
+  const auto drawing = [&](const std::string& entity) {
+    return "0\nSECTION\n2\nENTITIES\n" + text + entity + "0\nENDSEC\n0\nEOF\n";
+  };
+  put("lines.dxf", drawing("0\nLINE\n8\nL\n10\n0\n20\n0\n30\n1\n11\n4\n21\n0\n31\n2\n"));
+  put("keep.dxf", drawing("0\nPOINT\n8\nL\n10\n4\n20\n0\n30\n2\n"));
+  const std::string lines = "lines.dxf: 1 label of the drawing is left out";
+  const std::string keep = "keep.dxf: 1 label of the drawing is left out";
+  for (const std::string command :
+       {"triangulate a.csv b.csv -o o.ply --keep keep.dxf", "edges a.csv b.csv -k 1 -o o.csv",
+        "compare a.csv b.csv --orders 1 --keep keep.dxf"}) {
+    const Outcome outcome = run(command + " --breaklines lines.dxf");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find(lines), std::string::npos) << command << ": " << outcome.err;
+    const bool keeps = command.ends_with("keep.dxf");
+    EXPECT_EQ(outcome.err.find(keep) != std::string::npos, keeps) << command << ": " << outcome.err;
+  }
+}
+
 TEST_F(InputsTest, OptionsOfOtherFilesAreRefused) {
   expect_refused("triangulate a.csv -o o.ply --layer p", "are for files of map features");
   expect_refused("triangulate a.csv -o o.ply --stride 2", "are for rasters");

@@ -124,6 +124,58 @@ TEST_F(GdalTest, GeoJsonThatIsNoDegreesIsOfAnUnknownSystem) {
   EXPECT_EQ(read_points(directory_ / "q.geojson").crs, "EPSG:25832");
 }
 
+/// An entity of a DXF drawing at a place; `more` are further lines of its text.
+std::string entity(const std::string& type, const std::string& x, const std::string& y,
+                   const std::string& z, const std::string& more = "") {
+  return "0\n" + type + "\n8\nL\n10\n" + x + "\n20\n" + y + "\n30\n" + z + "\n" + more;
+}
+std::string drawing(const std::string& entities) {
+  return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+}
+const std::string kLabels = entity("TEXT", "5", "5", "0", "40\n1\n1\n412.5\n") +
+                            entity("MTEXT", "5", "6", "0", "40\n1\n1\nspring\n") +
+                            entity("TEXT", "5", "7", "0", "100\nAcDbText\n40\n1\n1\n\n");
+
+TEST_F(GdalTest, LabelsOfDrawingsAreNoPoints) {
+  const std::string points = entity("POINT", "0", "0", "1") + entity("POINT", "10", "0", "2");
+  directory_.file("p.dxf", drawing(points + kLabels + entity("POINT", "0", "10", "3")));
+  const PointTable table = read_point_table(directory_ / "p.dxf");
+  EXPECT_EQ(spots(table.points), (std::vector<Spot>{{0, 0, 1}, {10, 0, 2}, {0, 10, 3}}));
+  EXPECT_EQ(table.warnings, std::vector<std::string>({"3 labels of the drawing are left out"}));
+  directory_.file("q.dxf", drawing(points + entity("TEXT", "1", "1", "0", "1\nx\n")));
+  EXPECT_EQ(read_point_table(directory_ / "q.dxf").warnings,
+            std::vector<std::string>({"1 label of the drawing is left out"}));
+  directory_.file("r.dxf", drawing(points));
+  EXPECT_TRUE(read_point_table(directory_ / "r.dxf").warnings.empty());
+}
+
+TEST_F(GdalTest, AttributesOfBlocksAreNoPoints) {
+  const std::string attribute =
+      "0\nATTRIB\n100\nAcDbEntity\n8\nL\n100\nAcDbText\n10\n1\n20\n1\n30\n0\n40\n1\n1\n44.5\n"
+      "100\nAcDbAttribute\n2\nTAG\n70\n0\n0\nSEQEND\n8\nL\n";
+  directory_.file("p.dxf",
+                  "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\nL\n2\nSPOT"
+                  "\n10\n0\n20\n0\n30\n0\n" +
+                      entity("POINT", "0", "0", "0") + "0\nENDBLK\n0\nENDSEC\n" +
+                      drawing(entity("INSERT", "7", "8", "9", "2\nSPOT\n66\n1\n") + attribute));
+  const PointTable table = read_point_table(directory_ / "p.dxf");
+  EXPECT_EQ(spots(table.points), (std::vector<Spot>{{7, 8, 9}}));
+  EXPECT_EQ(table.warnings, std::vector<std::string>({"1 label of the drawing is left out"}));
+}
+
+TEST_F(GdalTest, LabelsOfDrawingsAreNoLinesAndNoPlaces) {
+  directory_.file("lines.dxf",
+                  drawing(kLabels + entity("LINE", "0", "0", "1", "11\n4\n21\n5\n31\n2\n")));
+  const Lines lines = read_lines(directory_ / "lines.dxf");
+  ASSERT_EQ(lines.lines.size(), 1u);
+  EXPECT_EQ(lines.lines[0].xy, (std::vector<Point>{{0, 0}, {4, 5}}));
+  EXPECT_EQ(lines.warnings, std::vector<std::string>({"3 labels of the drawing are left out"}));
+  directory_.file("places.dxf", drawing(kLabels + entity("POINT", "1", "2", "3")));
+  const Places places = read_places(directory_ / "places.dxf");
+  EXPECT_EQ(places.points, (std::vector<Point>{{1, 2}}));
+  EXPECT_EQ(places.warnings, std::vector<std::string>({"3 labels of the drawing are left out"}));
+}
+
 TEST_F(GdalTest, LayersMayNotKnowTheirSystem) {
   for (const char* format : {"GPKG", "ESRI Shapefile", "FlatGeobuf"}) {
     const std::string file = std::string("p.") + (format[0] == 'G'   ? "gpkg"

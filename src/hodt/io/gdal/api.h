@@ -60,6 +60,7 @@ namespace hodt {
   FUNCTION(OGR_F_Destroy)                    \
   FUNCTION(OGR_F_GetFieldAsDouble)           \
   FUNCTION(OGR_F_GetGeometryRef)             \
+  FUNCTION(OGR_F_GetStyleString)             \
   FUNCTION(OGR_F_IsFieldSetAndNotNull)       \
   FUNCTION(OGR_F_SetFieldDouble)             \
   FUNCTION(OGR_F_SetFieldInteger64)          \

@@ -27,9 +27,10 @@ class PointTaker {
   }
 
   PointSet take_all() {
-    layer_.for_each(field_, [&](OGRFeatureH feature, Index) { take(feature); });
+    labels_ = layer_.for_each(field_, [&](OGRFeatureH feature, Index) { take(feature); });
     return std::move(points_);
   }
+  Index labels() const { return labels_; }
   std::size_t features() const { return features_; }
   std::size_t without_geometry() const { return without_geometry_; }
 
@@ -84,6 +85,7 @@ class PointTaker {
   const LayerChoice& choice_;
   int field_ = -1;
   PointSet points_;
+  Index labels_ = 0;
   std::size_t features_ = 0, without_geometry_ = 0;
 };
 
@@ -124,6 +126,8 @@ PointTable read_layer_points(const std::filesystem::path& path, const PointChoic
   if (taker.without_geometry() > 0)
     table.warnings.push_back(fmt::format("{} of {} features have no geometry and are left out",
                                          taker.without_geometry(), taker.features()));
+  for (std::string& warning : label_warnings(taker.labels()))
+    table.warnings.push_back(std::move(warning));
   table.points.crs = layer.crs();
   if (layer.driver() == "GeoJSON" && is_world(table.points.crs) && !are_degrees(table.points)) {
     table.points.crs.clear();
