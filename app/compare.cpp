@@ -347,9 +347,9 @@ int run(const Arguments& arguments) {
     progress.report("reading");
     source = read_source(arguments.input);
     const InputPoints& read = source.input;
-    require_same_crs(input, read.crs, options.keep.source, options.keep.crs);
-    Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
-                                     source.numbers);
+    source.input.system.add(options.keep.source, options.keep.crs);
+    Joined joined = read_constraints(arguments.constraints, input, source.input.system,
+                                     std::move(source.input.points), source.numbers);
     if (source.is_tin) add_given(source.constraints, input, joined);
     const PointSet& points = joined.points;
     options.objectives = usable(choices, points, input);
@@ -361,7 +361,7 @@ int run(const Arguments& arguments) {
                         "a z column",
                         display_name(input)));
       truth = read_truth(arguments.truth, arguments.truth_columns);
-      require_same_crs(input, read.crs, arguments.truth, truth->points.crs);
+      source.input.system.add(arguments.truth, truth->points.crs, truth->height_unit);
       options.truth_grid = truth->grid;
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };

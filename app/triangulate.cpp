@@ -247,9 +247,9 @@ int run(const Arguments& arguments) {
     TerminalProgress progress;
     progress.report("reading");
     source = read_source(arguments.input);
-    require_same_crs(input, source.input.crs, options.keep.source, options.keep.crs);
-    Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
-                                     source.numbers);
+    source.input.system.add(options.keep.source, options.keep.crs);
+    Joined joined = read_constraints(arguments.constraints, input, source.input.system,
+                                     std::move(source.input.points), source.numbers);
     if (source.is_tin) add_given(source.constraints, input, joined);
     // Cells that are too many are so before the work begins, unless a part of the terrain is cut
     // out.

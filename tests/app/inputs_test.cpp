@@ -171,6 +171,73 @@ TEST_F(InputsTest, LayersAndRastersComeInWithTheirSystem) {
   expect_refused(lines + "'roads.gpkg|layername=other'", "roads.gpkg in EPSG:31467");
 }
 
+TEST_F(InputsTest, SystemsAreComparedWithTheOneThatTellsMost) {
+  if (!layer("v0.gpkg", kSquare, "-nln p -a_srs EPSG:25832")) GTEST_SKIP() << "no GDAL";
+  ASSERT_TRUE(layer("v1.gpkg", kSquare, "-nln p -a_srs EPSG:25832+7837"));
+  ASSERT_TRUE(layer("v2.gpkg", kSquare, "-nln p -a_srs EPSG:25832+5783"));
+  const std::string line = "wkt,n\n\"LINESTRING Z (0 0 1,4 4 4)\",0\n";
+  ASSERT_TRUE(layer("l1.gpkg", line, "-nln l -a_srs EPSG:25832+7837"));
+  ASSERT_TRUE(layer("l2.gpkg", line, "-nln l -a_srs EPSG:25832+5783"));
+  const std::string message = "1.gpkg is in ETRS89 / UTM zone 32N + DHHN2016 height, and ";
+  for (const std::string files : {"v0 v1 v2", "v1 v0 v2", "v1 v2 v0"}) {
+    std::string named = files + " ";
+    for (std::size_t at = 0; (at = named.find(' ', at)) != named.npos; at += 6)
+      named.insert(at, ".gpkg");
+    expect_refused("triangulate " + named + "-o o.ply", message);
+    expect_refused("info " + named, message);
+  }
+  EXPECT_EQ(run("triangulate v0.gpkg v1.gpkg v0.gpkg -o o.ply").exit_code, 0);
+  for (const std::string points : {"v0.gpkg", "v0.gpkg v1.gpkg", "a.csv b.csv"})
+    expect_refused("triangulate " + points + " -o p.ply --breaklines l1.gpkg --breaklines l2.gpkg",
+                   message);
+  EXPECT_EQ(run("triangulate v0.gpkg v1.gpkg -o o.ply --breaklines l1.gpkg").exit_code, 0);
+  expect_refused("triangulate v0.gpkg v1.gpkg -o p.ply --breaklines l2.gpkg", message);
+  expect_refused("compare v0.gpkg v1.gpkg --orders 1 --truth v2.gpkg", message);
+}
+
+/// A raster of two rows in a system, whose band may tell its unit.
+std::string raster_of(const std::string& system, const std::string& unit) {
+  return "<VRTDataset rasterXSize=\"2\" rasterYSize=\"2\"><SRS>" + system +
+         "</SRS><GeoTransform>0, 1, 0, 4, 0, -1</GeoTransform><VRTRasterBand "
+         "dataType=\"Float64\" band=\"1\"><UnitType>" +
+         unit +
+         "</UnitType><SimpleSource><SourceFilename relativeToVRT=\"1\">grid.asc</SourceFilename>"
+         "</SimpleSource></VRTRasterBand></VRTDataset>";
+}
+
+TEST_F(InputsTest, HeightsInDifferentUnitsAreRefused) {
+  if (!layer("lines.gpkg", "wkt,n\n\"LINESTRING Z (0.5 2.5 1,1.5 3.5 4)\",0\n",
+             "-nln l -a_srs EPSG:25832+7837"))
+    GTEST_SKIP() << "no GDAL";
+  put("grid.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 2\ncellsize 1\n5 6\n7 9\n");
+  put("m.vrt", raster_of("EPSG:25832", "metre"));
+  put("also_m.vrt", raster_of("EPSG:25832", "m"));
+  put("ft.vrt", raster_of("EPSG:25832", "ft"));
+  put("us_ft.vrt", raster_of("EPSG:25832", "US survey foot"));
+  put("unknown.vrt", raster_of("EPSG:25832", ""));
+  put("unknown_ft.vrt", raster_of("", "ft"));
+  put("unknown_m.vrt", raster_of("", "m"));
+  expect_refused("triangulate m.vrt ft.vrt -o o.ply",
+                 "m.vrt has heights in metre, and ft.vrt in ft; bring them to one unit");
+  expect_refused("triangulate unknown.vrt us_ft.vrt m.vrt -o o.ply",
+                 "us_ft.vrt has heights in US survey foot, and m.vrt in metre");
+  expect_refused("triangulate unknown_ft.vrt unknown_m.vrt -o o.ply", "in ft, and ");
+  expect_refused("triangulate m.vrt ft.vrt -o o.ply --crs EPSG:25832", "in ft");
+  expect_refused("triangulate ft.vrt -o o.ply --breaklines lines.gpkg",
+                 "ft.vrt has heights in ft, and lines.gpkg in m");
+  expect_refused("edges ft.vrt -k 1 -o o.csv --breaklines lines.gpkg", "lines.gpkg in m");
+  expect_refused("compare m.vrt --orders 1 --truth ft.vrt",
+                 "m.vrt has heights in metre, and ft.vrt in ft");
+  expect_refused("compare m.vrt --orders 1 --breaklines lines.gpkg --truth ft.vrt", "ft.vrt in ft");
+  for (const std::string command :
+       {"info m.vrt also_m.vrt", "info m.vrt unknown.vrt", "info ft.vrt us_ft.vrt",
+        "triangulate m.vrt -o o.ply --breaklines lines.gpkg",
+        "compare m.vrt --orders 1 --truth also_m.vrt"}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, 0) << command << ": " << outcome.err;
+  }
+}
+
 TEST_F(InputsTest, DegreesGetOneWarningThatNamesTheRemedy) {
   if (!layer("p.gpkg", kSquare, "-nln p -a_srs EPSG:4326")) GTEST_SKIP() << "no GDAL";
   const Outcome outcome = run("triangulate p.gpkg -o o.ply");

@@ -45,11 +45,6 @@ bool is_epsg_number(std::string_view code) {
   return code.starts_with(authority) && is_word(code.substr(authority.size()), is_digit);
 }
 
-/// The two kinds of feet are the same here.
-bool is_same_unit(double a, double b) {
-  return std::fabs(a - b) < 1e-5 * b;
-}
-
 std::vector<std::string> height_warnings_of(const CrsFacts& facts, double unit,
                                             const std::string& name) {
   if (unit == 0 || is_same_unit(unit, facts.unit)) return {};
@@ -79,6 +74,15 @@ std::string parse_crs(std::string_view option, const std::string& text) {
 
 bool is_same_crs(const std::string& a, const std::string& b) {
   return a == b || are_equal_crs(a, b);
+}
+
+bool tells_heights(const std::string& crs) {
+  const std::optional<CrsFacts> facts = crs.empty() ? std::nullopt : crs_facts(crs);
+  return facts && facts->has_heights;
+}
+
+bool is_same_unit(double a, double b) {
+  return std::fabs(a - b) < 1e-5 * b;
 }
 
 std::string crs_title(const std::string& crs) {

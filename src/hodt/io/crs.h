@@ -16,6 +16,12 @@ std::string parse_crs(std::string_view option, const std::string& text);
 /// Whether both are known to be the same system; without GDAL, whether they are the same text.
 bool is_same_crs(const std::string& a, const std::string& b);
 
+/// Whether a system tells of heights, too; false without GDAL.
+bool tells_heights(const std::string& crs);
+
+/// Whether two units, in metres, are the same; the two kinds of feet are.
+bool is_same_unit(double a, double b);
+
 /// The name of a system: "EPSG:25832 (ETRS89 / UTM zone 32N)"; without GDAL the text.
 std::string crs_title(const std::string& crs);
 

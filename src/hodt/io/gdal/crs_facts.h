@@ -13,7 +13,8 @@ struct CrsFacts {
   bool is_geographic = false;
   double unit = 1;  ///< of x and y, in metres
   std::string unit_name;
-  double height_unit = 0;  ///< 0: it says nothing of heights
+  bool has_heights = false;
+  double height_unit = 0;  ///< 0: it says nothing of it
   std::string height_unit_name;
 };
 

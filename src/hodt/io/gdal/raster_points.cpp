@@ -131,9 +131,8 @@ PointSet centres(GDALDatasetH dataset, const Affine& g, GDALRasterBandH band, In
   return points;
 }
 
-/// Says so if the band's values are in other units than x and y. Names are those that GDAL's
-/// drivers use.
-std::vector<std::string> warn_of_unit(GDALRasterBandH band, const std::string& crs) {
+/// What the band says of its values. Names are those that GDAL's drivers use.
+HeightUnit unit_of(GDALRasterBandH band) {
   const char* const said = gdal().GDALGetRasterUnitType(band);
   const std::string unit = said ? said : "";
   for (const auto& [name, metres] : {std::pair{"m", 1.},
@@ -147,8 +146,14 @@ std::vector<std::string> warn_of_unit(GDALRasterBandH band, const std::string& c
                                      {"foot", 0.3048},
                                      {"feet", 0.3048},
                                      {"US survey foot", 1200. / 3937}})
-    if (unit == name) return height_warnings(crs, metres, unit);
+    if (unit == name) return {metres, unit};
   return {};
+}
+
+/// Says so if they are in other units than x and y.
+std::vector<std::string> warn_of_unit(const HeightUnit& unit, const std::string& crs) {
+  if (unit.metres == 0) return {};
+  return height_warnings(crs, unit.metres, unit.name);
 }
 
 }  // namespace
@@ -172,9 +177,10 @@ PointTable read_raster_points(const std::filesystem::path& path, const PointChoi
   const GDALColorInterp colours = gdal().GDALGetRasterColorInterpretation(band);
   if (GCI_PaletteIndex <= colours && colours <= GCI_BlackBand)
     table.warnings.emplace_back("its cells are colours, not heights, by what the file says");
+  table.height_unit = unit_of(band);
   for (std::string& warning : warn_of_no_data(table.points))
     table.warnings.push_back(std::move(warning));
-  for (std::string& warning : warn_of_unit(band, table.points.crs))
+  for (std::string& warning : warn_of_unit(table.height_unit, table.points.crs))
     table.warnings.push_back(std::move(warning));
   return table;
 }

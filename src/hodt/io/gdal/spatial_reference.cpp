@@ -64,6 +64,7 @@ std::optional<CrsFacts> crs_facts(const std::string& crs) {
   char* unit = nullptr;
   facts.unit = gdal().OSRGetLinearUnits(reference.get(), &unit);
   facts.unit_name = text_or_empty(unit);
+  facts.has_heights = has_heights(reference.get());
   if (gdal().OSRIsCompound(reference.get())) {
     facts.height_unit = gdal().OSRGetTargetLinearUnits(reference.get(), "VERT_CS", &unit);
     facts.height_unit_name = text_or_empty(unit);
