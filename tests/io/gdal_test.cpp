@@ -370,6 +370,41 @@ TEST_F(GdalTest, AsciiGridsKeepTheirDecimalsAndTablesOfThatNameStayTables) {
   EXPECT_EQ(read("table.asc"), (std::vector<Spot>{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}));
 }
 
+TEST_F(GdalTest, AsciiGridsHaveAsManyNumbersAsTheySay) {
+  const std::string header =
+      "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
+  const auto refused = [&](const std::string& values, const std::string& message) {
+    directory_.file("g.asc", header + values);
+    directory_.file("g.grd", header + values);
+    for (const char* file : {"g.asc", "g.grd"}) expect_refused<InputError>(file, {}, message);
+  };
+  const std::string all = "; in all there are ";
+  refused("1 2 3 4\n5 6 7\n9 10 11 12\n",
+          "line 8: 3 values, where a row has 4" + all + "11 for 3 rows of 4 columns");
+  shell("gzip -k g.asc");
+  expect_refused<InputError>("g.asc.gz", {}, "line 8: 3 values");
+  refused("1 2 3 4\n5 6 7 8 8.5\n9 10 11 12\n", "line 8: 5 values, where a row has 4" + all + "13");
+  refused("1 2 3 4\n5 6 7\n9 10 11 12 13\n", "line 8: 3 values, where a row has 4" + all + "12");
+  refused("1 2 3 4\n5 6 7 8\n", "line 8: with this last line of values, in all there are 8");
+  refused("1 2 3 4\n5 6 7 8\n9 10 11 12\n13 14 15 16\n", "line 10: with this last line");
+  refused("1 2 3\n4 5 6\n7 8 9\n10 11\n",
+          "line 10: with this last line of values, in all there are 11");
+  for (const std::string word : {"NA", "x", "-", "3.06.1", "1.5d3", "3,06,1", "1e999", "inf", "7m"})
+    refused("1 2 3 4\n5 6 7 8\n9 " + word + " 11 12\n", "line 9: '" + word + "' is no number");
+
+  const std::vector<Spot> cells = {{0.5, 2.5, 1},  {1.5, 2.5, 20},  {2.5, 2.5, 3}, {3.5, 2.5, -4},
+                                   {0.5, 1.5, 5},  {1.5, 1.5, 6.5}, {2.5, 1.5, 7}, {3.5, 1.5, 0.8},
+                                   {1.5, 0.5, 10}, {2.5, 0.5, 11}};
+  for (const std::string values :
+       {"1 2e1 3 -4\n5 6.5 7 .8\n-9999 10 +11 nan\n",
+        "1 2e1 3 -4\r\n5 6.5 7. .8\r\n-9999 10 11 NaN",
+        "1 2e1 3\n-4 5 6.5\n7 .8 -9999\n10 11 nan\n", " 1 2e1 3 -4 5 6.5 7 .8 -9999 10 11 nan \n\n",
+        "1 2e1 3 -4\n\n5 6,5 7 ,8\n-9999 10 11 nan\n"}) {
+    directory_.file("g.asc", header + values);
+    EXPECT_EQ(read("g.asc"), cells) << values;
+  }
+}
+
 TEST_F(GdalTest, FloatsThatAreNoDataAreLeftOutWhateverTheDecimals) {
   // As text the value is no float: the nearest one is in the cells.
   raster("dem.tif",

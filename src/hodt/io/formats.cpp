@@ -48,7 +48,10 @@ PointTable read_table(const std::filesystem::path& path, const PointChoice& choi
 /// Tables have this extension, too.
 PointTable read_grid_or_table(const std::filesystem::path& path, const PointChoice& choice) {
   InputText input = read_input(path);
-  if (is_esri_grid(input.view())) return read_raster_points(path, choice);
+  if (is_esri_grid(input.view())) {
+    input = {};  // GDAL reads it by itself
+    return read_raster_points(path, choice);
+  }
   return parse_points(std::move(input), choice);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/crs.h"
+#include "hodt/io/esri_grid.h"
 #include "hodt/io/gdal/dataset.h"
 #include "hodt/io/gdal/readers.h"
 #include "hodt/io/gdal/spatial_reference.h"
@@ -25,6 +27,10 @@ namespace {
 Point centre(const Affine& g, double column, double row) {
   const double i = column + 0.5, j = row + 0.5;
   return {g[0] + i * g[1] + j * g[2], g[3] + i * g[4] + j * g[5]};
+}
+
+bool is_of_driver(GDALDatasetH dataset, std::string_view name) {
+  return gdal().GDALGetDescription(gdal().GDALGetDatasetDriver(dataset)) == name;
 }
 
 GDALRasterBandH band_of(GDALDatasetH dataset, Index band, const std::string& name) {
@@ -162,6 +168,7 @@ PointTable read_raster_points(const std::filesystem::path& path, const PointChoi
   const std::string name = display_name(path);
   check_choice(choice, PointKind::raster, name);
   const Dataset dataset = open_dataset(path, DatasetKind::raster);
+  if (is_of_driver(dataset.get(), "AAIGrid")) check_esri_grid(read_input(path));
   const GDALRasterBandH band = band_of(dataset.get(), choice.raster.band, name);
   const Index stride = std::max<Index>(1, choice.raster.stride);
   PointTable table;
