@@ -63,6 +63,18 @@ class RasterFile : public testing::Test {
   test::TemporaryDirectory directory_;
 };
 
+TEST_F(RasterFile, takes_the_place_of_all_of_an_old_one) {
+  const Grid grid{500000, 5400302, 1, 1, 320, 310};
+  for (const bool shades : {false, true}) {
+    for (const char* beside : {".ovr", ".aux.xml", ".msk", ".msk.ovr"})
+      directory_.file(std::string("old.tif") + beside, "of the old file");
+    directory_.file("old.ovr", "of another");
+    write("old.tif", tent(), grid, shades);
+    EXPECT_EQ(directory_.entries(), 2u) << "and nothing else";
+    EXPECT_EQ(info_of("old.tif").find("Overviews"), std::string::npos);
+  }
+}
+
 TEST_F(RasterFile, has_the_heights_bit_by_bit) {
   const Tin tin = tent();
   // The summit is at the centre of a cell; more rows than are written at once.

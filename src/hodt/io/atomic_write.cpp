@@ -182,6 +182,11 @@ void OutputFile::take_companion(const std::filesystem::path& made) {
   }
 }
 
+void OutputFile::outdate(std::string_view ends) {
+  std::istringstream all{std::string(ends)};
+  for (std::string end; all >> end;) outdated_.emplace_back(target_.native() + end);
+}
+
 /// Takes the place of the temporary file.
 void OutputFile::take(const std::filesystem::path& made) {
   {

@@ -45,6 +45,7 @@ void write_rows(const Tin& tin, const Grid& grid, double no_data, OutputFile& fi
     }
     writer.finish();
   });
+  file.outdate(".ovr .ovr.ovr .msk .msk.ovr .aux.xml");
 }
 
 }  // namespace
