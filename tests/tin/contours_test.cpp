@@ -235,6 +235,30 @@ TEST(Contours, levels_are_multiples_from_the_base) {
   EXPECT_EQ(contour_levels(tin, 2), (std::vector<double>{-6, -4}));
 }
 
+TEST(Contours, refuse_levels_that_numbers_do_not_tell_apart) {
+  Tin tin = pyramid();
+  const auto refuses = [&](double interval, double base, const std::string& does) {
+    try {
+      contour_levels(tin, interval, base);
+      ADD_FAILURE() << interval << ' ' << base;
+    } catch (const ParameterError& error) {
+      EXPECT_NE(std::string(error.what()).find("choose a larger one, " + does + " does"),
+                std::string::npos)
+          << error.what();
+    }
+  };
+  refuses(1, 1e17, "20");
+  refuses(10, 1e17, "20");
+  refuses(1, -1e17, "20");
+  tin.points.z = {1e17, 1e17, 1e17, 1e17, 1e17 + 64};
+  refuses(1, 0, "20");
+  refuses(10, 1e17, "20");
+  EXPECT_EQ(contour_levels(tin, 16, 1e17),
+            (std::vector<double>{1e17, 1e17 + 16, 1e17 + 32, 1e17 + 48, 1e17 + 64}));
+  EXPECT_EQ(contour_levels(tin, 32), (std::vector<double>{1e17, 1e17 + 32, 1e17 + 64}));
+  EXPECT_EQ(contour_levels(pyramid(), 1, 1e15), (std::vector<double>{0, 1, 2, 3, 4}));
+}
+
 TEST(Contours, refuse_what_makes_no_sense) {
   const Tin tin = pyramid();
   EXPECT_THROW(contour_levels(tin, 0), ParameterError);

@@ -37,8 +37,8 @@ std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels
                                   const Progress& progress = {});
 
 /// The levels base + i * interval, for whole numbers i, that the surface reaches. Throws
-/// ParameterError if the interval is not positive, either is not finite, or there would be more
-/// than ten million.
+/// ParameterError if the interval is not positive, either is not finite, there would be more than
+/// ten million, or they are nearer to each other than doubles of their size.
 std::vector<double> contour_levels(const Tin& tin, double interval, double base = 0);
 
 }  // namespace hodt
