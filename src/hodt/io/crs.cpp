@@ -127,6 +127,7 @@ CrsUnits crs_units(const std::string& crs) {
   };
   CrsUnits units;
   units.metres = facts->height_unit;
+  if (!facts->is_geographic) units.horizontal_metres = facts->unit;
   units.horizontal = facts->is_geographic ? "°" : short_name(facts->unit, facts->unit_name);
   if (facts->height_unit != 0)
     units.vertical = short_name(facts->height_unit, facts->height_unit_name);

@@ -41,7 +41,8 @@ std::string crs_with_heights(const std::string& crs, long heights);
 /// What the coordinates are counted in: "m", "ft", "°", or the unit's name; empty if unknown.
 struct CrsUnits {
   std::string horizontal, vertical;
-  double metres = 0;  ///< of the vertical one; 0 if unknown
+  double metres = 0;             ///< of the vertical one; 0 if unknown
+  double horizontal_metres = 0;  ///< 0 if unknown, or degrees
 };
 CrsUnits crs_units(const std::string& crs);
 
