@@ -1,6 +1,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/geometry/point.h"
+#include "hodt/io/atomic_write.h"
 #include "hodt/io/crs.h"
 #include "hodt/io/line_file.h"
 #include "hodt/io/places_file.h"
@@ -553,6 +555,41 @@ TEST(WithoutGdal, UsingAFormatSaysWhatIsMissing) {
   }
   EXPECT_NE(message_of<ParameterError>([&] { read_lines("a.gpkg"); }).find("libgdal-dev"),
             std::string::npos);
+}
+
+TEST_F(GdalTest, SystemsWithoutACodeAreWrittenAsTheyAreOrRefused) {
+  Tin tin;
+  tin.points = {{{0, 0}, {9, 0}, {0, 9}}, {1, 2, 3}};
+  tin.triangles = {{0, 1, 2}};
+  const auto written = [&](const std::string& crs, const std::string& file) {
+    tin.crs = parse_crs("--crs", crs);
+    write_tin(tin, directory_ / file);
+    return is_same_crs(read_lines(directory_ / file).crs, tin.crs);
+  };
+  const std::string feet = "+proj=utm +zone=32 +datum=WGS84 +units=us-ft";
+  const std::string metres = "+proj=utm +zone=32 +datum=WGS84 +units=m";
+  const std::string own = "+proj=tmerc +lon_0=9.5 +x_0=500000 +ellps=bessel +units=us-ft";
+  // A shapefile calls a datum without a name by that of its ellipsoid.
+  EXPECT_TRUE(written(feet, "a.shp"));
+  EXPECT_TRUE(written(metres, "a.shp"));
+  for (const std::string file : {"a.gpkg", "a.geojson"})
+    for (const std::string& crs : {feet, metres, own})
+      EXPECT_TRUE(written(crs, file)) << file << crs;
+  EXPECT_TRUE(written(metres, "a.fgb"));
+  EXPECT_TRUE(written(own, "a.fgb"));
+  const std::string message = message_of<ParameterError>([&] { written(feet, "b.fgb"); });
+  EXPECT_NE(
+      message.find("b.fgb: in this format GDAL would take the coordinate reference system for "
+                   "EPSG:32632, which it is not"),
+      std::string::npos)
+      << message;
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "b.fgb"));
+
+  tin.crs = parse_crs("--crs", feet);
+  OutputFile raster(directory_ / "a.tif");
+  write_heights(tin, {0, 9, 1, 1, 9, 9}, raster);
+  raster.commit();
+  EXPECT_TRUE(is_same_crs(read_grid(directory_ / "a.tif").crs, tin.crs));
 }
 
 TEST_F(GdalTest, SystemsOfHeightsAreKept) {

@@ -94,6 +94,8 @@ namespace hodt {
   FUNCTION(OGR_L_GetSpatialRef)              \
   FUNCTION(OGR_L_ResetReading)               \
   FUNCTION(OGR_L_SetIgnoredFields)           \
+  FUNCTION(OSRAutoIdentifyEPSG)              \
+  FUNCTION(OSRClone)                         \
   FUNCTION(OSRDemoteTo2D)                    \
   FUNCTION(OSRExportToWktEx)                 \
   FUNCTION(OSRGetAuthorityCode)              \

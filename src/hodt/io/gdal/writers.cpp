@@ -15,6 +15,7 @@
 #include "hodt/io/crs_name.h"
 #include "hodt/io/feature_file.h"
 #include "hodt/io/gdal/api.h"
+#include "hodt/io/gdal/crs_facts.h"
 #include "hodt/io/gdal/dataset.h"
 #include "hodt/io/gdal/spatial_reference.h"
 #include "hodt/io/well_known_binary.h"
@@ -52,12 +53,35 @@ Reference reference_or_name(const std::string& crs) {
   return reference;
 }
 
+/// The code that GDAL takes a system without a code for; empty if it finds none, or has one.
+std::string guessed_code(OGRSpatialReferenceH reference) {
+  if (gdal().OSRGetAuthorityCode(reference, nullptr)) return {};
+  GdalErrors errors;
+  const Reference guess(gdal().OSRClone(reference));
+  if (gdal().OSRAutoIdentifyEPSG(guess.get()) != OGRERR_NONE) return {};
+  const char* const code = gdal().OSRGetAuthorityCode(guess.get(), nullptr);
+  return code ? fmt::format("EPSG:{}", code) : "";
+}
+
+/// GDAL takes UTM in feet for UTM.
+void refuse_wrong_code(OGRSpatialReferenceH reference, const std::string& crs,
+                       const std::filesystem::path& shown) {
+  const std::string code = guessed_code(reference);
+  if (!code.empty() && !are_equal_crs(crs, code))
+    throw ParameterError(fmt::format(
+        "cannot write {}: in this format GDAL would take the coordinate reference system for {}, "
+        "which it is not; write another format, GeoPackage for example",
+        shown.string(), code));
+}
+
 /// How a format is made.
 struct Making {
   const char* driver;
   std::vector<const char*> layer_options;  ///< the last one is nullptr
   /// Of the files beside the first one.
   std::string_view companions;
+  /// Whether the driver looks for a code of a system that has none.
+  bool guesses_codes = false;
 };
 
 OGRwkbGeometryType type_of(const FeatureLayer& layer) {
@@ -85,6 +109,7 @@ class LayerWriter {
 
   void write(const std::filesystem::path& path) {
     const Reference reference = reference_or_name(layer_.crs);
+    if (reference && making_.guesses_codes) refuse_wrong_code(reference.get(), layer_.crs, shown_);
     GDALDriverH driver = gdal().GDALGetDriverByName(making_.driver);
     if (driver == nullptr)
       throw ParameterError(fmt::format("cannot write {}: this GDAL has no driver {}",
@@ -163,7 +188,7 @@ void write_layer(const FeatureLayer& layer, OutputFile& file, const Making& maki
 }  // namespace
 
 void write_flatgeobuf(const FeatureLayer& layer, OutputFile& file) {
-  write_layer(layer, file, {"FlatGeobuf", {nullptr}, {}});
+  write_layer(layer, file, {"FlatGeobuf", {nullptr}, {}, true});
 }
 
 void write_shapefile(const FeatureLayer& layer, OutputFile& file) {
