@@ -126,6 +126,56 @@ TEST_F(GdalTest, GeoJsonThatIsNoDegreesIsOfAnUnknownSystem) {
   EXPECT_EQ(read_points(directory_ / "q.geojson").crs, "EPSG:25832");
 }
 
+TEST_F(GdalTest, GeoJsonWhoseSystemIsNotUnderstoodIsNotTakenForDegrees) {
+  const auto table_with = [&](const std::string& crs) {
+    directory_.file("c.geojson", R"({"type": "FeatureCollection", "crs": )" + crs +
+                                     R"(, "features": [{"type": "Feature", "properties": {"crs": 1},
+        "geometry": {"type": "Point", "coordinates": [11, 48, 4]}}]})");
+    return read_point_table(directory_ / "c.geojson");
+  };
+  const auto name = [](const std::string& text) {
+    return R"({"type": "name", "properties": {"name": ")" + text + "\"}}";
+  };
+  EXPECT_EQ(table_with("null").points.crs, "");
+  EXPECT_TRUE(table_with("null").warnings.empty()) << "that is how one says so";
+  for (const std::string& crs :
+       {name("urn:ogc:def:crs:EPSG::99999999"), name("ours"), name("http://example.invalid/crs"),
+        std::string(R"("EPSG:4326")"),
+        std::string(R"({"type": "link", "properties": {"href": "a"}})"), std::string("{}")}) {
+    const PointTable table = table_with(crs);
+    EXPECT_EQ(table.points.crs, "") << crs;
+    ASSERT_EQ(table.warnings.size(), 1u) << crs;
+    EXPECT_TRUE(table.warnings[0].starts_with("its member crs, ")) << table.warnings[0];
+  }
+  for (const char* world :
+       {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:EPSG::4326", "EPSG:4326",
+        "urn:ogc:def:crs:OGC::CRS84", "http://www.opengis.net/def/crs/OGC/1.3/CRS84"}) {
+    const PointTable table = table_with(name(world));
+    EXPECT_TRUE(is_same_crs(table.points.crs, "EPSG:4326")) << world;
+    EXPECT_TRUE(table.warnings.empty()) << world << table.warnings[0];
+  }
+  directory_.file("plain.geojson",
+                  R"({"type": "Point", "coordinates": [11, 48, 4], "b": "\"crs\""})");
+  EXPECT_EQ(read_points(directory_ / "plain.geojson").crs, "EPSG:4979");
+}
+
+TEST_F(GdalTest, LinesOfGeoJsonMayBeNoDegreesEither) {
+  const std::string feature = R"({"type": "Feature", "properties": {}, "geometry":
+      {"type": "Point", "coordinates": [X, 5334000, 4]}})";
+  std::string text;
+  for (const char* x : {"691000", "691001"}) {
+    std::string line = feature;
+    line.erase(line.find('\n'), 1).replace(line.find('X'), 1, x);
+    text += line + "\n";
+  }
+  directory_.file("p.geojson", text);
+  const PointTable table = read_point_table(directory_ / "p.geojson");
+  EXPECT_EQ(table.points.size(), 2u);
+  EXPECT_EQ(table.points.crs, "");
+  ASSERT_EQ(table.warnings.size(), 1u);
+  EXPECT_NE(table.warnings[0].find("these are no degrees"), std::string::npos);
+}
+
 /// An entity of a DXF drawing at a place; `more` are further lines of its text.
 std::string entity(const std::string& type, const std::string& x, const std::string& y,
                    const std::string& z, const std::string& more = "") {
