@@ -69,6 +69,11 @@ std::string parse_crs(std::string_view option, const std::string& text) {
         "{} must be a coordinate reference system that is known, like EPSG:25832, not "
         "'{}'{}",
         option, text, has_gdal() ? "" : "; without GDAL hodt understands nothing but EPSG:number"));
+  if (facts && !facts->is_plane)
+    throw ParameterError(fmt::format(
+        "{} must be a coordinate reference system of x and y, like EPSG:25832, and '{}' ({}) is "
+        "geocentric or of heights alone",
+        option, text, facts->name));
   return facts ? facts->text : known;
 }
 
@@ -92,15 +97,18 @@ std::string crs_title(const std::string& crs) {
                                       : fmt::format("{} ({})", facts->text, facts->name);
 }
 
+std::string degrees_warning(const std::string& why) {
+  return fmt::format(
+      "x and y are degrees ({}), which are not of the same length, so that circles, lengths and "
+      "angles are not those on the ground; bring the data to a system in metres first, with "
+      "ogr2ogr -t_srs EPSG:... or, for rasters, gdalwarp -t_srs EPSG:...",
+      why);
+}
+
 std::vector<std::string> crs_warnings(const std::string& crs) {
   const std::optional<CrsFacts> facts = crs.empty() ? std::nullopt : crs_facts(crs);
   if (!facts) return {};
-  if (facts->is_geographic)
-    return {fmt::format(
-        "x and y are degrees ({}), which are not of the same length, so that circles, lengths and "
-        "angles are not those on the ground; bring the data to a system in metres first, with "
-        "ogr2ogr -t_srs EPSG:... or, for rasters, gdalwarp -t_srs EPSG:...",
-        facts->name)};
+  if (facts->is_geographic) return {degrees_warning(facts->name)};
   return height_warnings_of(*facts, facts->height_unit, facts->height_unit_name);
 }
 

@@ -29,6 +29,9 @@ std::string crs_title(const std::string& crs);
 /// heights of other units than x and y. Without GDAL nothing is known.
 std::vector<std::string> crs_warnings(const std::string& crs);
 
+/// The first of these, of x and y that are degrees by `why`: a system's name, or a word.
+std::string degrees_warning(const std::string& why);
+
 /// The same where the file, not the system, says what heights are counted in: in `unit` metres,
 /// called `name`.
 std::vector<std::string> height_warnings(const std::string& crs, double unit,

@@ -105,8 +105,10 @@ namespace hodt {
   FUNCTION(OSRGetName)                       \
   FUNCTION(OSRGetTargetLinearUnits)          \
   FUNCTION(OSRIsCompound)                    \
+  FUNCTION(OSRIsGeocentric)                  \
   FUNCTION(OSRIsGeographic)                  \
   FUNCTION(OSRIsSameEx)                      \
+  FUNCTION(OSRIsVertical)                    \
   FUNCTION(OSRNewSpatialReference)           \
   FUNCTION(OSRRelease)                       \
   FUNCTION(OSRSetAxisMappingStrategy)        \
