@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "hodt/io/column_choice.h"
+#include "hodt/io/column_names.h"
 #include "hodt/io/crs.h"
 
 namespace hodt::app {
@@ -127,6 +128,21 @@ void add_file(const PointsInput& input, const std::string& file, PointTable tabl
     append(read.points, std::move(table.points));
 }
 
+/// Whether the columns are longitude and latitude by their names.
+bool are_degrees(const TakenColumns& columns) {
+  return columns.source.empty() && role_of(columns.x.name) == ColumnRole::longitude &&
+         role_of(columns.y.name) == ColumnRole::latitude;
+}
+
+/// Where nothing is known but names of columns.
+void warn_of_degrees(InputPoints& read) {
+  const auto file = std::find_if(read.files.begin(), read.files.end(),
+                                 [](const auto& f) { return are_degrees(f.columns); });
+  if (read.crs.empty() && file != read.files.end())
+    read.warnings.push_back(
+        {file->name, degrees_warning("longitude and latitude, by the names of the columns")});
+}
+
 /// What holds for the points of all files.
 void finish(const PointsInput& input, InputPoints& read) {
   if (!input.crs.empty()) {
@@ -136,6 +152,7 @@ void finish(const PointsInput& input, InputPoints& read) {
   read.crs = read.points.crs;
   for (const std::string& warning : crs_warnings(read.points.crs))
     read.warnings.push_back({display_name(input.name()), warning});
+  warn_of_degrees(read);
   read.rule = rule_of(input);
   if (read.rule != DuplicateRule::lowest)
     read.duplicates =

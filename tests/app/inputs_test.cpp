@@ -251,6 +251,34 @@ TEST_F(InputsTest, DegreesGetOneWarningThatNamesTheRemedy) {
             std::string::npos);
 }
 
+TEST_F(InputsTest, DegreesByTheNamesOfColumnsGetTheWarning) {
+  put("d.csv", "id,lat,lon,height\n1,48,11,5\n2,48.1,11,6\n3,48,11.1,7\n");
+  const std::string message = "d.csv: x and y are degrees (longitude and latitude, by the names";
+  const Outcome outcome = run("triangulate d.csv -o o.ply");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  EXPECT_NE(run("triangulate d.csv -o o.ply --columns x=lon,y=lat").err.find(message),
+            std::string::npos);
+  EXPECT_EQ(run("triangulate d.csv -o o.ply --crs EPSG:25832").err, "");
+  if (has_gdal()) {
+    const std::string known = run("triangulate d.csv -o o.ply --crs EPSG:4326").err;
+    EXPECT_NE(known.find("x and y are degrees (WGS 84)"), std::string::npos) << known;
+    EXPECT_EQ(known.find('\n'), known.size() - 1) << known;
+  }
+  EXPECT_EQ(run("triangulate a.csv b.csv -o o.ply").err, "");
+}
+
+TEST_F(InputsTest, ThreeDimensionalDegreesBecomeARaster) {
+  if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
+  put("g.geojson",
+      R"({"type": "MultiPoint", "coordinates": [[11, 48, 4], [11.01, 48, 5], [11, 48.01, 6]]})");
+  const Outcome outcome = run("triangulate g.geojson -o x.tif --resolution 0.001");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome info = run("info x.tif");
+  EXPECT_NE(info.out.find("EPSG:4979 (WGS 84)"), std::string::npos) << info.out;
+}
+
 TEST_F(InputsTest, LabelsOfDrawingsAreToldWhereverTheyAreLeftOut) {
   if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
   const std::string text = "0\nTEXT\n8\nL\n10\n1\n20\n1\n30\n0\n40\n1\n1\n412.5\n";
