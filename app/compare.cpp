@@ -14,6 +14,7 @@
 #include "app/outputs.h"
 #include "app/points_input.h"
 #include "app/source.h"
+#include "app/warning.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -377,6 +378,11 @@ int run(const Arguments& arguments) {
     print_warnings(joined);
     print_warnings(options.keep);
     if (truth) print_warnings(arguments.truth, *truth);
+    if (truth && !comparison.truth->delaunay)
+      print_warning(arguments.truth,
+                    fmt::format("of its {} none is within the triangulation, so that no height is "
+                                "compared; is it of the same place, and in the same units?",
+                                counted(truth->points.size(), "point")));
   }
   Outputs outputs;
   if (!arguments.output.empty())

@@ -279,6 +279,15 @@ TEST_F(InputsTest, ThreeDimensionalDegreesBecomeARaster) {
   EXPECT_NE(info.out.find("EPSG:4979 (WGS 84)"), std::string::npos) << info.out;
 }
 
+TEST_F(InputsTest, TruthThatIsElsewhereIsTold) {
+  put("far.csv", "x,y,z\n100,100,1\n101,100,2\n");
+  put("near.csv", "x,y,z\n100,100,1\n1,1,2\n");
+  const std::string hint = "far.csv: of its 2 points none is within the triangulation";
+  const Outcome far = run("compare a.csv b.csv --orders 1 --truth far.csv");
+  EXPECT_NE(far.err.find(hint), std::string::npos) << far.err;
+  EXPECT_EQ(run("compare a.csv b.csv --orders 1 --truth near.csv").err, "");
+}
+
 TEST_F(InputsTest, LabelsOfDrawingsAreToldWhereverTheyAreLeftOut) {
   if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
   const std::string text = "0\nTEXT\n8\nL\n10\n1\n20\n1\n30\n0\n40\n1\n1\n412.5\n";

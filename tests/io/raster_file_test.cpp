@@ -150,6 +150,19 @@ TEST_F(RasterFile, may_be_very_wide) {
   }
 }
 
+TEST_F(RasterFile, refuses_cells_that_are_all_beside_the_mesh) {
+  // Elsewhere, and with a single cell whose centre is beside the mesh.
+  for (const Grid& grid : {Grid{0, 100, 1, 1, 20, 600}, Grid{499000, 5401000, 1500, 1500, 1, 1}})
+    for (const bool shades : {false, true}) {
+      const std::string message =
+          test::message_of<InputError>([&] { write("a.tif", tent(), grid, shades); });
+      EXPECT_NE(message.find("a.tif: the centre of no cell is on the mesh"), std::string::npos)
+          << message;
+      EXPECT_EQ(directory_.entries(), 0u);
+    }
+  write("a.tif", tent(), {500150, 5400160, 10, 10, 1, 1}, false);
+}
+
 TEST_F(RasterFile, refuses_more_cells_than_a_raster_may_have) {
   const Grid grid{500000, 5400302, 1, 1, kMostColumns, kMostColumns};
   EXPECT_THROW(write("a.tif", tent(), grid, false), ParameterError);
