@@ -642,6 +642,27 @@ TEST_F(GdalTest, SystemsWithoutACodeAreWrittenAsTheyAreOrRefused) {
   EXPECT_TRUE(is_same_crs(read_grid(directory_ / "a.tif").crs, tin.crs));
 }
 
+TEST_F(GdalTest, ExtensionsInCapitalsAreWrittenAsTheyAre) {
+  Tin tin;
+  tin.points = {{{0, 0}, {9, 0}, {0, 9}}, {1, 2, 3}};
+  tin.triangles = {{0, 1, 2}};
+  tin.crs = "EPSG:25832";
+  directory_.file("A.PRJ", "of an old file");
+  directory_.file("A.QIX", "of an old file");
+  for (const char* file : {"A.SHP", "B.FGB", "d.Fgb"}) {
+    write_tin(tin, directory_ / file);
+    const Lines lines = read_lines(directory_ / file);
+    ASSERT_EQ(lines.lines.size(), 1u) << file;
+    EXPECT_EQ(lines.lines[0].z[1] + lines.lines[0].z[2], 5) << file;
+    EXPECT_TRUE(is_same_crs(lines.crs, tin.crs)) << file;
+  }
+  for (const char* file : {"A.SHX", "A.DBF", "A.PRJ", "A.CPG"})
+    EXPECT_TRUE(std::filesystem::exists(directory_ / file)) << file;
+  for (const char* file : {"A.shp", "A.shx", "A.QIX", "c.shp"})
+    EXPECT_FALSE(std::filesystem::exists(directory_ / file)) << file;
+  EXPECT_THROW(write_tin(tin, directory_ / "c.Shp"), ParameterError) << "GDAL does not read it";
+}
+
 TEST_F(GdalTest, SystemsOfHeightsAreKept) {
   const std::string grid = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n";
   const std::string both = parse_crs("--crs", "EPSG:25832+7837");

@@ -21,10 +21,6 @@ namespace hodt {
 
 namespace {
 
-std::string output_name(const std::filesystem::path& path) {
-  return is_standard_output(path) ? "standard output" : path.string();
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw FileError(fmt::format("cannot write {}: {}", output_name(path), why));
 }
@@ -279,6 +275,10 @@ void abandon_output_files() noexcept {
 bool is_standard_output(const std::filesystem::path& path) {
   constexpr std::string_view names[] = {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
   return std::find(std::begin(names), std::end(names), path.native()) != std::end(names);
+}
+
+std::string output_name(const std::filesystem::path& path) {
+  return is_standard_output(path) ? "standard output" : path.string();
 }
 
 std::filesystem::path follow_links(const std::filesystem::path& path) {

@@ -85,6 +85,9 @@ void abandon_output_files() noexcept;
 /// Whether the path stands for the process's standard output: "-", /dev/stdout and the like.
 bool is_standard_output(const std::filesystem::path& path);
 
+/// What messages call it as an output.
+std::string output_name(const std::filesystem::path& path);
+
 /// Where a chain of symbolic links ends, whether or not anything is there. Throws FileError if it
 /// has no end.
 std::filesystem::path follow_links(const std::filesystem::path& path);

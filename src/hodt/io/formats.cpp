@@ -167,6 +167,10 @@ std::string known_extensions(Use use) {
                      packed == known ? "each" : fmt::format("{}", fmt::join(packed, ", ")));
 }
 
+bool is_reading(Use use) {
+  return use == Use::read_points || use == Use::read_features || use == Use::read_tin;
+}
+
 std::string_view doing(Use use) {
   switch (use) {
     case Use::read_points:
@@ -234,7 +238,8 @@ const Format& format_for(const std::filesystem::path& path, Use use) {
   if (const Format* format = find_format(path, use)) return *format;
   const std::string extension = extension_of(path, use);
   throw ParameterError(fmt::format(
-      "cannot {} {}: {}; known are {}", doing(use), display_name(path),
+      "cannot {} {}: {}; known are {}", doing(use),
+      is_reading(use) ? display_name(path) : output_name(path),
       extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'",
       known_extensions(use)));
 }

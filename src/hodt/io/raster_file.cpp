@@ -10,7 +10,6 @@
 #include "hodt/base/error.h"
 #include "hodt/io/file_name.h"
 #include "hodt/io/gdal/raster.h"
-#include "hodt/io/input_text.h"
 
 namespace hodt {
 
@@ -84,7 +83,7 @@ bool is_raster_name(const std::filesystem::path& path) {
 void check_raster_output(const std::filesystem::path& path) {
   if (!is_raster_name(path))
     throw ParameterError(
-        fmt::format("cannot write a raster to {}: known are .tif, .tiff", display_name(path)));
+        fmt::format("cannot write a raster to {}: known are .tif, .tiff", output_name(path)));
   require_gdal();
 }
 

@@ -14,6 +14,7 @@
 #include "hodt/base/printable.h"
 #include "hodt/io/crs_name.h"
 #include "hodt/io/feature_file.h"
+#include "hodt/io/file_name.h"
 #include "hodt/io/gdal/api.h"
 #include "hodt/io/gdal/crs_facts.h"
 #include "hodt/io/gdal/dataset.h"
@@ -177,12 +178,36 @@ class LayerWriter {
   GdalErrors errors_;
 };
 
+std::string with_capitals(std::string_view text) {
+  std::string capitals(text);
+  for (char& c : capitals)
+    if ('a' <= c && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return capitals;
+}
+
+/// GDAL writes extensions in lower case, whatever the name is that it is told.
+void capitalize_extensions(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    files.push_back(entry.path());
+  for (const std::filesystem::path& file : files)
+    std::filesystem::rename(file, std::filesystem::path(file).replace_extension(
+                                      with_capitals(file.extension().string())));
+}
+
 void write_layer(const FeatureLayer& layer, OutputFile& file, const Making& making) {
+  const std::string extension = follow_links(file.path()).extension().string();
+  const bool has_capitals = extension == with_capitals(extension);
   file.fill_by_name(
       [&](const std::filesystem::path& path) {
-        LayerWriter(layer, file.path(), making).write(path);
+        const auto plain = std::filesystem::path(path).replace_extension(lower_extension(path));
+        LayerWriter(layer, file.path(), making).write(plain);
+        if (has_capitals)
+          capitalize_extensions(path.parent_path());
+        else if (plain != path)
+          std::filesystem::rename(plain, path);
       },
-      making.companions);
+      has_capitals ? with_capitals(making.companions) : std::string(making.companions));
 }
 
 }  // namespace
@@ -196,6 +221,12 @@ void write_shapefile(const FeatureLayer& layer, OutputFile& file) {
     throw ParameterError(
         fmt::format("cannot write {}: a shapefile is several files, which only a folder can hold",
                     file.path().string()));
+  const std::string extension = follow_links(file.path()).extension().string();
+  if (extension != ".shp" && extension != ".SHP")
+    throw ParameterError(
+        fmt::format("cannot write {}: nobody finds the parts of a shapefile whose name ends in {}; "
+                    "name it .shp",
+                    file.path().string(), extension));
   write_layer(layer, file,
               {"ESRI Shapefile",
                {"ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2000-01-01", nullptr},
