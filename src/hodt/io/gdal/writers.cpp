@@ -197,7 +197,7 @@ void capitalize_extensions(const std::filesystem::path& folder) {
 
 void write_layer(const FeatureLayer& layer, OutputFile& file, const Making& making) {
   const std::string extension = follow_links(file.path()).extension().string();
-  const bool has_capitals = extension == with_capitals(extension);
+  const bool has_capitals = !extension.empty() && extension == with_capitals(extension);
   file.fill_by_name(
       [&](const std::filesystem::path& path) {
         const auto plain = std::filesystem::path(path).replace_extension(lower_extension(path));
