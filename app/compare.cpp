@@ -14,6 +14,7 @@
 #include "app/outputs.h"
 #include "app/points_input.h"
 #include "app/source.h"
+#include "app/warning.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -347,9 +348,10 @@ int run(const Arguments& arguments) {
     progress.report("reading");
     source = read_source(arguments.input);
     const InputPoints& read = source.input;
-    require_same_crs(input, read.crs, options.keep.source, options.keep.crs);
-    Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
-                                     source.numbers, source.constraints.triangles);
+    source.input.system.add(options.keep.source, options.keep.crs);
+    Joined joined = read_constraints(arguments.constraints, input, source.input.system,
+                                     std::move(source.input.points), source.numbers,
+                                     source.constraints.triangles);
     if (source.is_tin) add_given(source.constraints, input, joined);
     const PointSet& points = joined.points;
     options.objectives = usable(choices, points, input);
@@ -361,7 +363,7 @@ int run(const Arguments& arguments) {
                         "a z column",
                         display_name(input)));
       truth = read_truth(arguments.truth, arguments.truth_columns);
-      require_same_crs(input, read.crs, arguments.truth, truth->points.crs);
+      source.input.system.add(arguments.truth, truth->points.crs, truth->height_unit);
       options.truth_grid = truth->grid;
     }
     options.progress = [&](std::string_view phase, double done) { progress.report(phase, done); };
@@ -374,7 +376,14 @@ int run(const Arguments& arguments) {
     }
     if (read.duplicates) comparison.duplicate_heights = read.duplicates;
     print_warnings(read);
+    print_warnings(joined);
+    print_warnings(options.keep);
     if (truth) print_warnings(arguments.truth, *truth);
+    if (truth && !comparison.truth->delaunay)
+      print_warning(arguments.truth,
+                    fmt::format("of its {} none is within the triangulation, so that no height is "
+                                "compared; is it of the same place, and in the same units?",
+                                counted(truth->points.size(), "point")));
   }
   Outputs outputs;
   if (!arguments.output.empty())

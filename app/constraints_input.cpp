@@ -9,6 +9,7 @@
 
 #include "app/layer_file.h"
 #include "app/points_input.h"
+#include "app/warning.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -134,13 +135,13 @@ void check_constraints(const ConstraintArguments& arguments, const std::string& 
 }
 
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
-                        PointSet points, std::span<const Index> numbers,
+                        CommonSystem& system, PointSet points, std::span<const Index> numbers,
                         std::span<const std::array<Index, 3>> surface) {
   std::vector<Lines> lines;
   const auto add_lines = [&](const std::string& name) {
     const auto [file, layer] = layer_file(name);
     lines.push_back(read_lines(file, layer));
-    require_same_crs(input, points.crs, lines.back().source, lines.back().crs);
+    system.add(lines.back().source, lines.back().crs);
   };
   for (const std::string& file : arguments.breaklines) add_lines(file);
   if (keeps_lines(arguments)) add_lines(arguments.keep_edges);
@@ -148,7 +149,7 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
   if (!arguments.outline.empty()) {
     const auto [file, layer] = layer_file(arguments.outline);
     outline = read_outline(file, layer);
-    require_same_crs(input, points.crs, outline->source, outline->crs);
+    system.add(outline->source, outline->crs);
   }
   JoinOptions options{arguments.split_crossings,
                       parse_non_negative("--snap", "a distance", arguments.snap), surface};
@@ -163,6 +164,11 @@ Joined read_constraints(const ConstraintArguments& arguments, const std::string&
   if (!arguments.max_edge.empty())
     joined.constraints.max_edge = parse_non_negative("--max-edge", "a length", arguments.max_edge);
   return joined;
+}
+
+void print_warnings(const Joined& joined) {
+  for (const Lines& source : joined.sources)
+    for (const std::string& warning : source.warnings) print_warning(source.source, warning);
 }
 
 void add_given(Constraints& given, const std::string& input, Joined& joined) {

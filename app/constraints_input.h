@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/common.h"
+#include "app/common_system.h"
 
 #include "hodt/pipeline.h"
 #include "hodt/pipeline/join_lines.h"
@@ -34,11 +35,15 @@ void add_constraints(CLI::App& command, ConstraintArguments& arguments);
 void check_constraints(const ConstraintArguments& arguments, const std::string& input,
                        const std::string& output, const std::string& json);
 
-/// Reads the files and joins them with the points, whose file is `input`. Of a mesh, `numbers` says
-/// which of the points each vertex is; kNone of those of no triangle; `surface` are its triangles.
+/// Reads the files and joins them with the points, whose file is `input`, and whose system theirs
+/// has to be. Of a mesh, `numbers` says which of the points each vertex is; kNone of those of no
+/// triangle; `surface` are its triangles.
 Joined read_constraints(const ConstraintArguments& arguments, const std::string& input,
-                        PointSet points, std::span<const Index> numbers = {},
+                        CommonSystem& system, PointSet points, std::span<const Index> numbers = {},
                         std::span<const std::array<Index, 3>> surface = {});
+
+/// Says on standard error what may be wrong with the lines. For the end of a run.
+void print_warnings(const Joined& joined);
 
 /// Adds what an existing mesh, read from `input`, has to keep to. Throws ParameterError for options
 /// that do not go with a mesh.

@@ -1,6 +1,7 @@
 #include "app/keep.h"
 
 #include "app/layer_file.h"
+#include "app/warning.h"
 #include <fmt/format.h>
 
 #include "hodt/base/error.h"
@@ -29,6 +30,10 @@ void read_keep(const KeepArguments& arguments, const PointsInput& input,
     throw ParameterError("INPUT and --keep cannot both be standard input");
   const auto [file, layer] = layer_file(arguments.places);
   options.keep = read_places(file, layer);
+}
+
+void print_warnings(const Places& keep) {
+  for (const std::string& warning : keep.warnings) print_warning(keep.source, warning);
 }
 
 std::string kept_text(std::size_t kept, std::size_t empty_polygons) {

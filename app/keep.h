@@ -24,6 +24,9 @@ void add_keep(CLI::App& command, KeepArguments& arguments);
 void read_keep(const KeepArguments& arguments, const PointsInput& input,
                TriangulateOptions& options);
 
+/// Says on standard error what may be wrong with the places. For the end of a run.
+void print_warnings(const Places& keep);
+
 /// "3 local minima", and how many polygons no point is in, if any.
 std::string kept_text(std::size_t kept, std::size_t empty_polygons);
 

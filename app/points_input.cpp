@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "hodt/io/column_choice.h"
+#include "hodt/io/column_names.h"
 #include "hodt/io/crs.h"
 
 namespace hodt::app {
@@ -96,7 +97,6 @@ void append(PointSet& points, PointSet more) {
 void require_one_crs(const PointsInput& input, const InputPoints& read, const std::string& file,
                      const std::string& crs) {
   const std::string& first = read.files.front().name;
-  require_same_crs(first, read.points.crs, file, crs);
   if (read.points.crs.empty() != crs.empty() && input.crs.empty())
     throw InputError(fmt::format(
         "{} is in {}, and of {} the coordinate reference system is unknown; if it is the same, say "
@@ -109,6 +109,7 @@ void add_file(const PointsInput& input, const std::string& file, PointTable tabl
               InputPoints& read) {
   for (const std::string& warning : table.warnings)
     read.warnings.push_back({display_name(file), warning});
+  read.system.add(file, table.points.crs, table.height_unit);
   if (!read.files.empty()) {
     require_one_crs(input, read, display_name(file), table.points.crs);
     // Only what it says beyond the first one can be new: of heights.
@@ -127,12 +128,31 @@ void add_file(const PointsInput& input, const std::string& file, PointTable tabl
     append(read.points, std::move(table.points));
 }
 
+/// Whether the columns are longitude and latitude by their names.
+bool are_degrees(const TakenColumns& columns) {
+  return columns.source.empty() && role_of(columns.x.name) == ColumnRole::longitude &&
+         role_of(columns.y.name) == ColumnRole::latitude;
+}
+
+/// Where nothing is known but names of columns.
+void warn_of_degrees(InputPoints& read) {
+  const auto file = std::find_if(read.files.begin(), read.files.end(),
+                                 [](const auto& f) { return are_degrees(f.columns); });
+  if (read.crs.empty() && file != read.files.end())
+    read.warnings.push_back(
+        {file->name, degrees_warning("longitude and latitude, by the names of the columns")});
+}
+
 /// What holds for the points of all files.
 void finish(const PointsInput& input, InputPoints& read) {
-  if (!input.crs.empty()) read.points.crs = parse_crs("--crs", input.crs);
+  if (!input.crs.empty()) {
+    read.points.crs = parse_crs("--crs", input.crs);
+    read.system.replace(input.name(), read.points.crs);
+  }
   read.crs = read.points.crs;
   for (const std::string& warning : crs_warnings(read.points.crs))
     read.warnings.push_back({display_name(input.name()), warning});
+  warn_of_degrees(read);
   read.rule = rule_of(input);
   if (read.rule != DuplicateRule::lowest)
     read.duplicates =
@@ -245,6 +265,7 @@ InputPoints read_input_points(const PointsInput& input) {
 InputPoints input_points(const PointsInput& input, PointSet points) {
   InputPoints read;
   read.points = std::move(points);
+  read.system.add(input.name(), read.points.crs);
   finish(input, read);
   return read;
 }

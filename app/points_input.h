@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/common.h"
+#include "app/common_system.h"
 
 #include "hodt/delaunay/duplicates.h"
 #include "hodt/io/point_file.h"
@@ -54,7 +55,8 @@ struct InputPoints {
     TakenColumns columns;
   };
   PointSet points;
-  std::string crs;  ///< of the points, which may have been moved away
+  std::string crs;      ///< of the points, which may have been moved away
+  CommonSystem system;  ///< what the files say of it, for what is read beside them
   std::vector<File> files;
   struct Warning {
     std::string file, text;

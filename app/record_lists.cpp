@@ -57,7 +57,8 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
     TerminalProgress progress;
     progress.report("reading");
     InputPoints read = read_input_points(arguments.input);
-    const Joined joined = read_constraints(arguments.constraints, input, std::move(read.points));
+    const Joined joined =
+        read_constraints(arguments.constraints, input, read.system, std::move(read.points));
     const PointSet& points = joined.points;
     progress.report("Delaunay triangulation");
     const auto [triangulation, duplicates, constraints] = delaunay_of_joined(input, joined);
@@ -78,6 +79,7 @@ int write_list(const ListArguments& arguments, std::string_view header, std::str
     summary += inputs_text(read, 9);
     summary += fmt::format("{:<9} {}\n", "written", shown(arguments.output));
     print_warnings(read);
+    print_warnings(joined);
   }
   outputs.commit(summary);
   return kOk;

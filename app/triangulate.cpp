@@ -247,9 +247,10 @@ int run(const Arguments& arguments) {
     TerminalProgress progress;
     progress.report("reading");
     source = read_source(arguments.input);
-    require_same_crs(input, source.input.crs, options.keep.source, options.keep.crs);
-    Joined joined = read_constraints(arguments.constraints, input, std::move(source.input.points),
-                                     source.numbers, source.constraints.triangles);
+    source.input.system.add(options.keep.source, options.keep.crs);
+    Joined joined = read_constraints(arguments.constraints, input, source.input.system,
+                                     std::move(source.input.points), source.numbers,
+                                     source.constraints.triangles);
     if (source.is_tin) add_given(source.constraints, input, joined);
     // Cells that are too many are so before the work begins, unless a part of the terrain is cut
     // out.
@@ -284,6 +285,8 @@ int run(const Arguments& arguments) {
     result.report.seconds.write = watch.lap();
     if (!is_raster) warn_of_rounding(arguments.output, result.tin);
     print_warnings(source.input);
+    print_warnings(joined);
+    print_warnings(options.keep);
   }
   outputs.write_json(report_json(result.report, parse_order(arguments.order), source, constraints),
                      arguments.json);

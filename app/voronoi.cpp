@@ -49,9 +49,9 @@ Box parse_box(const std::string& text) {
 
 /// Writes the cells that have an area in the box; returns their number.
 std::size_t write_cells(const VoronoiDiagram& diagram, const VertexSet& vertices, const Box& box,
-                        OutputFile& file) {
+                        const std::string& crs, OutputFile& file) {
   const VoronoiPolygons polygons(vertices.xy, diagram, box);
-  return write_geojson(file, diagram.cell_count(), [&](std::size_t i, PolygonFeature& cell) {
+  return write_geojson(file, crs, diagram.cell_count(), [&](std::size_t i, PolygonFeature& cell) {
     polygons.polygon_of(static_cast<Index>(i), cell.ring);
     cell.points.clear();
     for (const VertexId v : diagram.members_of(static_cast<Index>(i)))
@@ -87,8 +87,8 @@ int run(const Arguments& arguments) {
     constexpr double margin = 0.1;
     if (!box) box = enlarged_bounding_box(triangulation.vertices.xy, margin);
     progress.report("writing");
-    const std::size_t written =
-        write_cells(diagram, triangulation.vertices, *box, outputs.open(arguments.output));
+    const std::size_t written = write_cells(diagram, triangulation.vertices, *box, points.crs,
+                                            outputs.open(arguments.output));
     summary = fmt::format("{:<8} {}, {} dropped\n", "points", points.size(),
                           counted(points.size() - distinct, "duplicate"));
     summary += inputs_text(read, 8);

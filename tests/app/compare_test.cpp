@@ -377,7 +377,12 @@ TEST_F(CompareCommand, MeasuresErrors) {
   EXPECT_NE(table.find("RMSE 3.53"), std::string::npos) << table;
 
   put("far.csv", "99,99,1\n");
-  const Json far = compared("points.csv --truth far.csv --orders 0");
+  const Outcome outcome = run("compare points.csv --truth far.csv --orders 0 --json -");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err,
+            "hodt: warning: far.csv: of its 1 point none is within the triangulation, so that no "
+            "height is compared; is it of the same place, and in the same units?\n");
+  const Json far = Json::parse(outcome.out, nullptr, false);
   EXPECT_EQ(far["truth"]["outside"], 1);
   EXPECT_TRUE(far["truth"]["delaunay_rmse"].is_null());
   EXPECT_TRUE(far["objectives"][0]["rows"][0]["rmse"].is_null());

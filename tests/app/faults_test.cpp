@@ -171,6 +171,21 @@ TEST_F(Faults, StandardOutputHasManyNames) {
 
 // ---- Odd names ----
 
+TEST_F(Faults, RefusedOutputsAreNoInputs) {
+  put("mesh.obj", "v 0 0 0\nv 1 0 1\nv 0 1 2\nf 1 2 3\n");
+  put("line.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n");
+  for (const std::string output : {"-", "/dev/stdout"})
+    for (const std::string command :
+         {"triangulate line.csv -o ", "contours mesh.obj --interval 1 -o ",
+          "raster mesh.obj --resolution 1 -o ", "triangulate line.csv -o a.ply --picture ",
+          "triangulate line.csv -o a.ply --pits "}) {
+      const Outcome outcome = run(command + output);
+      EXPECT_EQ(outcome.exit_code, 2) << command;
+      EXPECT_NE(outcome.err.find("to standard output"), std::string::npos) << outcome.err;
+      EXPECT_EQ(outcome.err.find("standard input"), std::string::npos) << outcome.err;
+    }
+}
+
 TEST_F(Faults, NamesReachTerminalsAndPagesPrintable) {
   const std::string odd = "a\x1b[31m\xff\nb<&>\u00fc";
   const std::string shown = "a\\x1b[31m\\xff\\x0ab<&>\u00fc";

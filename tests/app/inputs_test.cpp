@@ -171,6 +171,73 @@ TEST_F(InputsTest, LayersAndRastersComeInWithTheirSystem) {
   expect_refused(lines + "'roads.gpkg|layername=other'", "roads.gpkg in EPSG:31467");
 }
 
+TEST_F(InputsTest, SystemsAreComparedWithTheOneThatTellsMost) {
+  if (!layer("v0.gpkg", kSquare, "-nln p -a_srs EPSG:25832")) GTEST_SKIP() << "no GDAL";
+  ASSERT_TRUE(layer("v1.gpkg", kSquare, "-nln p -a_srs EPSG:25832+7837"));
+  ASSERT_TRUE(layer("v2.gpkg", kSquare, "-nln p -a_srs EPSG:25832+5783"));
+  const std::string line = "wkt,n\n\"LINESTRING Z (0 0 1,4 4 4)\",0\n";
+  ASSERT_TRUE(layer("l1.gpkg", line, "-nln l -a_srs EPSG:25832+7837"));
+  ASSERT_TRUE(layer("l2.gpkg", line, "-nln l -a_srs EPSG:25832+5783"));
+  const std::string message = "1.gpkg is in ETRS89 / UTM zone 32N + DHHN2016 height, and ";
+  for (const std::string files : {"v0 v1 v2", "v1 v0 v2", "v1 v2 v0"}) {
+    std::string named = files + " ";
+    for (std::size_t at = 0; (at = named.find(' ', at)) != named.npos; at += 6)
+      named.insert(at, ".gpkg");
+    expect_refused("triangulate " + named + "-o o.ply", message);
+    expect_refused("info " + named, message);
+  }
+  EXPECT_EQ(run("triangulate v0.gpkg v1.gpkg v0.gpkg -o o.ply").exit_code, 0);
+  for (const std::string points : {"v0.gpkg", "v0.gpkg v1.gpkg", "a.csv b.csv"})
+    expect_refused("triangulate " + points + " -o p.ply --breaklines l1.gpkg --breaklines l2.gpkg",
+                   message);
+  EXPECT_EQ(run("triangulate v0.gpkg v1.gpkg -o o.ply --breaklines l1.gpkg").exit_code, 0);
+  expect_refused("triangulate v0.gpkg v1.gpkg -o p.ply --breaklines l2.gpkg", message);
+  expect_refused("compare v0.gpkg v1.gpkg --orders 1 --truth v2.gpkg", message);
+}
+
+/// A raster of two rows in a system, whose band may tell its unit.
+std::string raster_of(const std::string& system, const std::string& unit) {
+  return "<VRTDataset rasterXSize=\"2\" rasterYSize=\"2\"><SRS>" + system +
+         "</SRS><GeoTransform>0, 1, 0, 4, 0, -1</GeoTransform><VRTRasterBand "
+         "dataType=\"Float64\" band=\"1\"><UnitType>" +
+         unit +
+         "</UnitType><SimpleSource><SourceFilename relativeToVRT=\"1\">grid.asc</SourceFilename>"
+         "</SimpleSource></VRTRasterBand></VRTDataset>";
+}
+
+TEST_F(InputsTest, HeightsInDifferentUnitsAreRefused) {
+  if (!layer("lines.gpkg", "wkt,n\n\"LINESTRING Z (0.5 2.5 1,1.5 3.5 4)\",0\n",
+             "-nln l -a_srs EPSG:25832+7837"))
+    GTEST_SKIP() << "no GDAL";
+  put("grid.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 2\ncellsize 1\n5 6\n7 9\n");
+  put("m.vrt", raster_of("EPSG:25832", "metre"));
+  put("also_m.vrt", raster_of("EPSG:25832", "m"));
+  put("ft.vrt", raster_of("EPSG:25832", "ft"));
+  put("us_ft.vrt", raster_of("EPSG:25832", "US survey foot"));
+  put("unknown.vrt", raster_of("EPSG:25832", ""));
+  put("unknown_ft.vrt", raster_of("", "ft"));
+  put("unknown_m.vrt", raster_of("", "m"));
+  expect_refused("triangulate m.vrt ft.vrt -o o.ply",
+                 "m.vrt has heights in metre, and ft.vrt in ft; bring them to one unit");
+  expect_refused("triangulate unknown.vrt us_ft.vrt m.vrt -o o.ply",
+                 "us_ft.vrt has heights in US survey foot, and m.vrt in metre");
+  expect_refused("triangulate unknown_ft.vrt unknown_m.vrt -o o.ply", "in ft, and ");
+  expect_refused("triangulate m.vrt ft.vrt -o o.ply --crs EPSG:25832", "in ft");
+  expect_refused("triangulate ft.vrt -o o.ply --breaklines lines.gpkg",
+                 "ft.vrt has heights in ft, and lines.gpkg in m");
+  expect_refused("edges ft.vrt -k 1 -o o.csv --breaklines lines.gpkg", "lines.gpkg in m");
+  expect_refused("compare m.vrt --orders 1 --truth ft.vrt",
+                 "m.vrt has heights in metre, and ft.vrt in ft");
+  expect_refused("compare m.vrt --orders 1 --breaklines lines.gpkg --truth ft.vrt", "ft.vrt in ft");
+  for (const std::string command :
+       {"info m.vrt also_m.vrt", "info m.vrt unknown.vrt", "info ft.vrt us_ft.vrt",
+        "triangulate m.vrt -o o.ply --breaklines lines.gpkg",
+        "compare m.vrt --orders 1 --truth also_m.vrt"}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, 0) << command << ": " << outcome.err;
+  }
+}
+
 TEST_F(InputsTest, DegreesGetOneWarningThatNamesTheRemedy) {
   if (!layer("p.gpkg", kSquare, "-nln p -a_srs EPSG:4326")) GTEST_SKIP() << "no GDAL";
   const Outcome outcome = run("triangulate p.gpkg -o o.ply");
@@ -182,6 +249,64 @@ TEST_F(InputsTest, DegreesGetOneWarningThatNamesTheRemedy) {
   EXPECT_EQ(run("triangulate p.gpkg -o o.ply --crs EPSG:25832").err, "");
   EXPECT_NE(run("triangulate a.csv -o o.ply --crs EPSG:4326").err.find("degrees"),
             std::string::npos);
+}
+
+TEST_F(InputsTest, DegreesByTheNamesOfColumnsGetTheWarning) {
+  put("d.csv", "id,lat,lon,height\n1,48,11,5\n2,48.1,11,6\n3,48,11.1,7\n");
+  const std::string message = "d.csv: x and y are degrees (longitude and latitude, by the names";
+  const Outcome outcome = run("triangulate d.csv -o o.ply");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  EXPECT_NE(run("triangulate d.csv -o o.ply --columns x=lon,y=lat").err.find(message),
+            std::string::npos);
+  EXPECT_EQ(run("triangulate d.csv -o o.ply --crs EPSG:25832").err, "");
+  if (has_gdal()) {
+    const std::string known = run("triangulate d.csv -o o.ply --crs EPSG:4326").err;
+    EXPECT_NE(known.find("x and y are degrees (WGS 84)"), std::string::npos) << known;
+    EXPECT_EQ(known.find('\n'), known.size() - 1) << known;
+  }
+  EXPECT_EQ(run("triangulate a.csv b.csv -o o.ply").err, "");
+}
+
+TEST_F(InputsTest, ThreeDimensionalDegreesBecomeARaster) {
+  if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
+  put("g.geojson",
+      R"({"type": "MultiPoint", "coordinates": [[11, 48, 4], [11.01, 48, 5], [11, 48.01, 6]]})");
+  const Outcome outcome = run("triangulate g.geojson -o x.tif --resolution 0.001");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome info = run("info x.tif");
+  EXPECT_NE(info.out.find("EPSG:4979 (WGS 84)"), std::string::npos) << info.out;
+}
+
+TEST_F(InputsTest, TruthThatIsElsewhereIsTold) {
+  put("far.csv", "x,y,z\n100,100,1\n101,100,2\n");
+  put("near.csv", "x,y,z\n100,100,1\n1,1,2\n");
+  const std::string hint = "far.csv: of its 2 points none is within the triangulation";
+  const Outcome far = run("compare a.csv b.csv --orders 1 --truth far.csv");
+  EXPECT_NE(far.err.find(hint), std::string::npos) << far.err;
+  EXPECT_EQ(run("compare a.csv b.csv --orders 1 --truth near.csv").err, "");
+}
+
+TEST_F(InputsTest, LabelsOfDrawingsAreToldWhereverTheyAreLeftOut) {
+  if (!has_gdal()) GTEST_SKIP() << "built without GDAL";
+  const std::string text = "0\nTEXT\n8\nL\n10\n1\n20\n1\n30\n0\n40\n1\n1\n412.5\n";
+  const auto drawing = [&](const std::string& entity) {
+    return "0\nSECTION\n2\nENTITIES\n" + text + entity + "0\nENDSEC\n0\nEOF\n";
+  };
+  put("lines.dxf", drawing("0\nLINE\n8\nL\n10\n0\n20\n0\n30\n1\n11\n4\n21\n0\n31\n2\n"));
+  put("keep.dxf", drawing("0\nPOINT\n8\nL\n10\n4\n20\n0\n30\n2\n"));
+  const std::string lines = "lines.dxf: 1 label of the drawing is left out";
+  const std::string keep = "keep.dxf: 1 label of the drawing is left out";
+  for (const std::string command :
+       {"triangulate a.csv b.csv -o o.ply --keep keep.dxf", "edges a.csv b.csv -k 1 -o o.csv",
+        "compare a.csv b.csv --orders 1 --keep keep.dxf"}) {
+    const Outcome outcome = run(command + " --breaklines lines.dxf");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find(lines), std::string::npos) << command << ": " << outcome.err;
+    const bool keeps = command.ends_with("keep.dxf");
+    EXPECT_EQ(outcome.err.find(keep) != std::string::npos, keeps) << command << ": " << outcome.err;
+  }
 }
 
 TEST_F(InputsTest, OptionsOfOtherFilesAreRefused) {

@@ -107,6 +107,15 @@ TEST_F(VoronoiCommand, ReadsStandardInputAndTakesAnyNumberOfThreads) {
   EXPECT_GT(json("one.geojson")["features"].size(), 3000u);
 }
 
+TEST_F(VoronoiCommand, NamesTheCoordinateSystem) {
+  directory_.file("points.csv", kPoints);
+  ASSERT_EQ(run("points.csv -m 1 -o cells.geojson --crs EPSG:25832"), 0) << err_;
+  EXPECT_EQ(json("cells.geojson")["crs"]["type"], "name");
+  EXPECT_EQ(json("cells.geojson")["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::25832");
+  ASSERT_EQ(run("points.csv -m 1 -o cells.geojson"), 0) << err_;
+  EXPECT_FALSE(json("cells.geojson").contains("crs"));
+}
+
 TEST_F(VoronoiCommand, ABoxFarFromAllPointsIsInOneCell) {
   directory_.file("points.csv", kPoints);
   ASSERT_EQ(run("points.csv -m 1 -o cells.geojson --box 1000,2000,1001,2001"), 0) << err_;

@@ -128,6 +128,31 @@ TEST(AtomicWrite, CompanionsAppearWithTheFile) {
   EXPECT_EQ(directory.entries(), 4u);
 }
 
+TEST(AtomicWrite, WhatTellsOfAnOldFileGoesWithIt) {
+  const TemporaryDirectory directory;
+  const auto old = directory.file("old.tif", "before");
+  for (const char* name : {"old.tif.ovr", "old.tif-wal", "old.tif.txt", "old.ovr"})
+    directory.file(name, "before");
+  std::filesystem::create_symlink("old.tif", directory / "link.tif");
+  directory.file("link.tif.ovr", "before");
+  {
+    OutputFile file(old);
+    file.write("after");
+    file.outdate(".ovr -wal -shm");
+  }
+  EXPECT_EQ(directory.entries(), 7u) << "not committed";
+  atomic_write(directory / "link.tif", [&](OutputFile& file) {
+    file.write("after");
+    file.outdate(".ovr -wal -shm");
+  });
+  EXPECT_EQ(content_of(old), "after");
+  EXPECT_FALSE(std::filesystem::exists(directory / "old.tif.ovr"));
+  EXPECT_FALSE(std::filesystem::exists(directory / "old.tif-wal"));
+  for (const char* name : {"old.tif.txt", "old.ovr", "link.tif.ovr"})
+    EXPECT_EQ(content_of(directory / name), "before") << name;
+  EXPECT_EQ(directory.entries(), 5u);
+}
+
 TEST(AtomicWrite, CommitsAllOrNone) {
   const TemporaryDirectory directory;
   const auto open = [&](std::initializer_list<std::string_view> names) {

@@ -83,6 +83,31 @@ TEST(ColumnNames, the_surest_pair_is_taken) {
   EXPECT_EQ(found({"foo", "bar"}), "---");
 }
 
+TEST(ColumnNames, that_begin_like_coordinates_are_rivals) {
+  const auto problem = [](const std::vector<std::string>& names) {
+    return find_columns(names).plane_problem;
+  };
+  EXPECT_NE(
+      problem({"easting_utm32n", "northing_utm32n", "easting_lv95", "northing_lv95", "height"})
+          .find("'easting_lv95', 'easting_utm32n'"),
+      std::string::npos);
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"x_lv95", "y_lv95", "x_plan", "y_plan"},
+        {"E", "N", "E_old_system", "N_old_system"},
+        {"x_lv95", "y_lv95", "Rechtswert Zone 3", "Hochwert Zone 3", "z"},
+        {"lat", "lon", "lat_pulkovo", "lon_pulkovo"}})
+    EXPECT_NE(problem(names), "") << listed(names);
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"x", "y", "z", "x_plan", "y_plan"},
+        {"lat", "lon", "lat_std", "lon_std"},
+        {"easting", "northing", "north_facing", "z"},
+        {"easting", "northing", "lat_pulkovo", "lon_pulkovo"},
+        {"easting", "northing", "east velocity", "north velocity"}}) {
+    EXPECT_EQ(problem(names), "") << listed(names);
+    EXPECT_TRUE(find_columns(names).plane()) << listed(names);
+  }
+}
+
 TEST(ColumnNames, that_only_number_the_columns) {
   using Names = std::vector<std::string>;
   for (const Names& names :

@@ -32,6 +32,14 @@ TEST(Crs, IsOneThatThereIs) {
             }).find("not 'EPSG:99999999'"),
             std::string::npos);
   EXPECT_EQ(parse_crs("--crs", "EPSG:7415"), "EPSG:7415");
+  for (const char* text : {"EPSG:4978", "EPSG:7837", "+proj=geocent +datum=WGS84"})
+    EXPECT_NE(message_of<ParameterError>([&] {
+                parse_crs("--crs", text);
+              }).find("is geocentric or of heights alone"),
+              std::string::npos)
+        << text;
+  for (const char* text : {"EPSG:4979", "EPSG:4326", "EPSG:25832+7837", "EPSG:2225"})
+    EXPECT_EQ(parse_crs("--crs", text).empty(), false) << text;
   const std::string wkt = parse_crs("--crs", "+proj=tmerc +lon_0=7.5 +units=m +datum=WGS84");
   EXPECT_TRUE(wkt.starts_with("PROJCRS[")) << wkt;
   EXPECT_EQ(wkt.find('\n'), std::string::npos);

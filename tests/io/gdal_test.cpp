@@ -1,6 +1,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/geometry/point.h"
+#include "hodt/io/atomic_write.h"
 #include "hodt/io/crs.h"
 #include "hodt/io/line_file.h"
 #include "hodt/io/places_file.h"
@@ -122,6 +124,108 @@ TEST_F(GdalTest, GeoJsonThatIsNoDegreesIsOfAnUnknownSystem) {
                       "properties": {}, "geometry": {"type": "Point",
                       "coordinates": [691000, 5334000, 4]}}]})");
   EXPECT_EQ(read_points(directory_ / "q.geojson").crs, "EPSG:25832");
+}
+
+TEST_F(GdalTest, GeoJsonWhoseSystemIsNotUnderstoodIsNotTakenForDegrees) {
+  const auto table_with = [&](const std::string& crs) {
+    directory_.file("c.geojson", R"({"type": "FeatureCollection", "crs": )" + crs +
+                                     R"(, "features": [{"type": "Feature", "properties": {"crs": 1},
+        "geometry": {"type": "Point", "coordinates": [11, 48, 4]}}]})");
+    return read_point_table(directory_ / "c.geojson");
+  };
+  const auto name = [](const std::string& text) {
+    return R"({"type": "name", "properties": {"name": ")" + text + "\"}}";
+  };
+  EXPECT_EQ(table_with("null").points.crs, "");
+  EXPECT_TRUE(table_with("null").warnings.empty()) << "that is how one says so";
+  for (const std::string& crs :
+       {name("urn:ogc:def:crs:EPSG::99999999"), name("ours"), name("http://example.invalid/crs"),
+        std::string(R"("EPSG:4326")"),
+        std::string(R"({"type": "link", "properties": {"href": "a"}})"), std::string("{}")}) {
+    const PointTable table = table_with(crs);
+    EXPECT_EQ(table.points.crs, "") << crs;
+    ASSERT_EQ(table.warnings.size(), 1u) << crs;
+    EXPECT_TRUE(table.warnings[0].starts_with("its member crs, ")) << table.warnings[0];
+  }
+  for (const char* world :
+       {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:EPSG::4326", "EPSG:4326",
+        "urn:ogc:def:crs:OGC::CRS84", "http://www.opengis.net/def/crs/OGC/1.3/CRS84"}) {
+    const PointTable table = table_with(name(world));
+    EXPECT_TRUE(is_same_crs(table.points.crs, "EPSG:4326")) << world;
+    EXPECT_TRUE(table.warnings.empty()) << world << table.warnings[0];
+  }
+  directory_.file("plain.geojson",
+                  R"({"type": "Point", "coordinates": [11, 48, 4], "b": "\"crs\""})");
+  EXPECT_EQ(read_points(directory_ / "plain.geojson").crs, "EPSG:4979");
+}
+
+TEST_F(GdalTest, LinesOfGeoJsonMayBeNoDegreesEither) {
+  const std::string feature = R"({"type": "Feature", "properties": {}, "geometry":
+      {"type": "Point", "coordinates": [X, 5334000, 4]}})";
+  std::string text;
+  for (const char* x : {"691000", "691001"}) {
+    std::string line = feature;
+    line.erase(line.find('\n'), 1).replace(line.find('X'), 1, x);
+    text += line + "\n";
+  }
+  directory_.file("p.geojson", text);
+  const PointTable table = read_point_table(directory_ / "p.geojson");
+  EXPECT_EQ(table.points.size(), 2u);
+  EXPECT_EQ(table.points.crs, "");
+  ASSERT_EQ(table.warnings.size(), 1u);
+  EXPECT_NE(table.warnings[0].find("these are no degrees"), std::string::npos);
+}
+
+/// An entity of a DXF drawing at a place; `more` are further lines of its text.
+std::string entity(const std::string& type, const std::string& x, const std::string& y,
+                   const std::string& z, const std::string& more = "") {
+  return "0\n" + type + "\n8\nL\n10\n" + x + "\n20\n" + y + "\n30\n" + z + "\n" + more;
+}
+std::string drawing(const std::string& entities) {
+  return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+}
+const std::string kLabels = entity("TEXT", "5", "5", "0", "40\n1\n1\n412.5\n") +
+                            entity("MTEXT", "5", "6", "0", "40\n1\n1\nspring\n") +
+                            entity("TEXT", "5", "7", "0", "100\nAcDbText\n40\n1\n1\n\n");
+
+TEST_F(GdalTest, LabelsOfDrawingsAreNoPoints) {
+  const std::string points = entity("POINT", "0", "0", "1") + entity("POINT", "10", "0", "2");
+  directory_.file("p.dxf", drawing(points + kLabels + entity("POINT", "0", "10", "3")));
+  const PointTable table = read_point_table(directory_ / "p.dxf");
+  EXPECT_EQ(spots(table.points), (std::vector<Spot>{{0, 0, 1}, {10, 0, 2}, {0, 10, 3}}));
+  EXPECT_EQ(table.warnings, std::vector<std::string>({"3 labels of the drawing are left out"}));
+  directory_.file("q.dxf", drawing(points + entity("TEXT", "1", "1", "0", "1\nx\n")));
+  EXPECT_EQ(read_point_table(directory_ / "q.dxf").warnings,
+            std::vector<std::string>({"1 label of the drawing is left out"}));
+  directory_.file("r.dxf", drawing(points));
+  EXPECT_TRUE(read_point_table(directory_ / "r.dxf").warnings.empty());
+}
+
+TEST_F(GdalTest, AttributesOfBlocksAreNoPoints) {
+  const std::string attribute =
+      "0\nATTRIB\n100\nAcDbEntity\n8\nL\n100\nAcDbText\n10\n1\n20\n1\n30\n0\n40\n1\n1\n44.5\n"
+      "100\nAcDbAttribute\n2\nTAG\n70\n0\n0\nSEQEND\n8\nL\n";
+  directory_.file("p.dxf",
+                  "0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\nL\n2\nSPOT"
+                  "\n10\n0\n20\n0\n30\n0\n" +
+                      entity("POINT", "0", "0", "0") + "0\nENDBLK\n0\nENDSEC\n" +
+                      drawing(entity("INSERT", "7", "8", "9", "2\nSPOT\n66\n1\n") + attribute));
+  const PointTable table = read_point_table(directory_ / "p.dxf");
+  EXPECT_EQ(spots(table.points), (std::vector<Spot>{{7, 8, 9}}));
+  EXPECT_EQ(table.warnings, std::vector<std::string>({"1 label of the drawing is left out"}));
+}
+
+TEST_F(GdalTest, LabelsOfDrawingsAreNoLinesAndNoPlaces) {
+  directory_.file("lines.dxf",
+                  drawing(kLabels + entity("LINE", "0", "0", "1", "11\n4\n21\n5\n31\n2\n")));
+  const Lines lines = read_lines(directory_ / "lines.dxf");
+  ASSERT_EQ(lines.lines.size(), 1u);
+  EXPECT_EQ(lines.lines[0].xy, (std::vector<Point>{{0, 0}, {4, 5}}));
+  EXPECT_EQ(lines.warnings, std::vector<std::string>({"3 labels of the drawing are left out"}));
+  directory_.file("places.dxf", drawing(kLabels + entity("POINT", "1", "2", "3")));
+  const Places places = read_places(directory_ / "places.dxf");
+  EXPECT_EQ(places.points, (std::vector<Point>{{1, 2}}));
+  EXPECT_EQ(places.warnings, std::vector<std::string>({"3 labels of the drawing are left out"}));
 }
 
 TEST_F(GdalTest, LayersMayNotKnowTheirSystem) {
@@ -318,6 +422,41 @@ TEST_F(GdalTest, AsciiGridsKeepTheirDecimalsAndTablesOfThatNameStayTables) {
   EXPECT_EQ(read("table.asc"), (std::vector<Spot>{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}));
 }
 
+TEST_F(GdalTest, AsciiGridsHaveAsManyNumbersAsTheySay) {
+  const std::string header =
+      "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
+  const auto refused = [&](const std::string& values, const std::string& message) {
+    directory_.file("g.asc", header + values);
+    directory_.file("g.grd", header + values);
+    for (const char* file : {"g.asc", "g.grd"}) expect_refused<InputError>(file, {}, message);
+  };
+  const std::string all = "; in all there are ";
+  refused("1 2 3 4\n5 6 7\n9 10 11 12\n",
+          "line 8: 3 values, where a row has 4" + all + "11 for 3 rows of 4 columns");
+  shell("gzip -k g.asc");
+  expect_refused<InputError>("g.asc.gz", {}, "line 8: 3 values");
+  refused("1 2 3 4\n5 6 7 8 8.5\n9 10 11 12\n", "line 8: 5 values, where a row has 4" + all + "13");
+  refused("1 2 3 4\n5 6 7\n9 10 11 12 13\n", "line 8: 3 values, where a row has 4" + all + "12");
+  refused("1 2 3 4\n5 6 7 8\n", "line 8: with this last line of values, in all there are 8");
+  refused("1 2 3 4\n5 6 7 8\n9 10 11 12\n13 14 15 16\n", "line 10: with this last line");
+  refused("1 2 3\n4 5 6\n7 8 9\n10 11\n",
+          "line 10: with this last line of values, in all there are 11");
+  for (const std::string word : {"NA", "x", "-", "3.06.1", "1.5d3", "3,06,1", "1e999", "inf", "7m"})
+    refused("1 2 3 4\n5 6 7 8\n9 " + word + " 11 12\n", "line 9: '" + word + "' is no number");
+
+  const std::vector<Spot> cells = {{0.5, 2.5, 1},  {1.5, 2.5, 20},  {2.5, 2.5, 3}, {3.5, 2.5, -4},
+                                   {0.5, 1.5, 5},  {1.5, 1.5, 6.5}, {2.5, 1.5, 7}, {3.5, 1.5, 0.8},
+                                   {1.5, 0.5, 10}, {2.5, 0.5, 11}};
+  for (const std::string values :
+       {"1 2e1 3 -4\n5 6.5 7 .8\n-9999 10 +11 nan\n",
+        "1 2e1 3 -4\r\n5 6.5 7. .8\r\n-9999 10 11 NaN",
+        "1 2e1 3\n-4 5 6.5\n7 .8 -9999\n10 11 nan\n", " 1 2e1 3 -4 5 6.5 7 .8 -9999 10 11 nan \n\n",
+        "1 2e1 3 -4\n\n5 6,5 7 ,8\n-9999 10 11 nan\n"}) {
+    directory_.file("g.asc", header + values);
+    EXPECT_EQ(read("g.asc"), cells) << values;
+  }
+}
+
 TEST_F(GdalTest, FloatsThatAreNoDataAreLeftOutWhateverTheDecimals) {
   // As text the value is no float: the nearest one is in the cells.
   raster("dem.tif",
@@ -466,6 +605,62 @@ TEST(WithoutGdal, UsingAFormatSaysWhatIsMissing) {
   }
   EXPECT_NE(message_of<ParameterError>([&] { read_lines("a.gpkg"); }).find("libgdal-dev"),
             std::string::npos);
+}
+
+TEST_F(GdalTest, SystemsWithoutACodeAreWrittenAsTheyAreOrRefused) {
+  Tin tin;
+  tin.points = {{{0, 0}, {9, 0}, {0, 9}}, {1, 2, 3}};
+  tin.triangles = {{0, 1, 2}};
+  const auto written = [&](const std::string& crs, const std::string& file) {
+    tin.crs = parse_crs("--crs", crs);
+    write_tin(tin, directory_ / file);
+    return is_same_crs(read_lines(directory_ / file).crs, tin.crs);
+  };
+  const std::string feet = "+proj=utm +zone=32 +datum=WGS84 +units=us-ft";
+  const std::string metres = "+proj=utm +zone=32 +datum=WGS84 +units=m";
+  const std::string own = "+proj=tmerc +lon_0=9.5 +x_0=500000 +ellps=bessel +units=us-ft";
+  // A shapefile calls a datum without a name by that of its ellipsoid.
+  EXPECT_TRUE(written(feet, "a.shp"));
+  EXPECT_TRUE(written(metres, "a.shp"));
+  for (const std::string file : {"a.gpkg", "a.geojson"})
+    for (const std::string& crs : {feet, metres, own})
+      EXPECT_TRUE(written(crs, file)) << file << crs;
+  EXPECT_TRUE(written(metres, "a.fgb"));
+  EXPECT_TRUE(written(own, "a.fgb"));
+  const std::string message = message_of<ParameterError>([&] { written(feet, "b.fgb"); });
+  EXPECT_NE(
+      message.find("b.fgb: in this format GDAL would take the coordinate reference system for "
+                   "EPSG:32632, which it is not"),
+      std::string::npos)
+      << message;
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "b.fgb"));
+
+  tin.crs = parse_crs("--crs", feet);
+  OutputFile raster(directory_ / "a.tif");
+  write_heights(tin, {0, 9, 1, 1, 9, 9}, raster);
+  raster.commit();
+  EXPECT_TRUE(is_same_crs(read_grid(directory_ / "a.tif").crs, tin.crs));
+}
+
+TEST_F(GdalTest, ExtensionsInCapitalsAreWrittenAsTheyAre) {
+  Tin tin;
+  tin.points = {{{0, 0}, {9, 0}, {0, 9}}, {1, 2, 3}};
+  tin.triangles = {{0, 1, 2}};
+  tin.crs = "EPSG:25832";
+  directory_.file("A.PRJ", "of an old file");
+  directory_.file("A.QIX", "of an old file");
+  for (const char* file : {"A.SHP", "B.FGB", "d.Fgb"}) {
+    write_tin(tin, directory_ / file);
+    const Lines lines = read_lines(directory_ / file);
+    ASSERT_EQ(lines.lines.size(), 1u) << file;
+    EXPECT_EQ(lines.lines[0].z[1] + lines.lines[0].z[2], 5) << file;
+    EXPECT_TRUE(is_same_crs(lines.crs, tin.crs)) << file;
+  }
+  for (const char* file : {"A.SHX", "A.DBF", "A.PRJ", "A.CPG"})
+    EXPECT_TRUE(std::filesystem::exists(directory_ / file)) << file;
+  for (const char* file : {"A.shp", "A.shx", "A.QIX", "c.shp"})
+    EXPECT_FALSE(std::filesystem::exists(directory_ / file)) << file;
+  EXPECT_THROW(write_tin(tin, directory_ / "c.Shp"), ParameterError) << "GDAL does not read it";
 }
 
 TEST_F(GdalTest, SystemsOfHeightsAreKept) {

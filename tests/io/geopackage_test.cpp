@@ -2,6 +2,7 @@
 #include "hodt/io/geopackage.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "ogr.h"
@@ -9,6 +10,7 @@
 #include "temporary_directory.h"
 #include <gtest/gtest.h>
 
+#include "hodt/base/error.h"
 #include "hodt/io/feature_file.h"
 #include "hodt/io/tin_file.h"
 
@@ -97,6 +99,87 @@ TEST(GeoPackage, IsAsTheStandardWants) {
                 "")
           << name << ' ' << points;
     }
+}
+
+TEST(GeoPackage, TakesThePlaceOfAllOfAnOldOne) {
+  const TemporaryDirectory directory;
+  const auto path = directory / "a.gpkg";
+  write_tin(test::survey(10), path);
+  for (const char* beside : {"-wal", "-shm", "-journal"})
+    directory.file(std::string("a.gpkg") + beside, "pages of the old file");
+  directory.file("b.gpkg-wal", "pages of another");
+  write_tin(test::survey(10), path);
+  EXPECT_EQ(directory.entries(), 2u);
+}
+
+/// A point that is nowhere special.
+FeatureLayer layer_of_a_point(const std::string& name) {
+  FeatureLayer layer;
+  layer.name = name;
+  layer.count = 1;
+  layer.has_heights = false;
+  layer.make = [](std::size_t, LayerFeature& feature) { feature.xy.assign({{1, 2}}); };
+  return layer;
+}
+
+TEST(GeoPackage, DoesNotTakeThePlaceOfOtherLayers) {
+  const TemporaryDirectory directory;
+  const auto path = directory / "a.gpkg";
+  write_features(layer_of_a_point("it's roads"), path);
+  const std::string before = test::content_of(path);
+  const std::string message =
+      test::message_of<FileError>([&] { write_features(layer_of_a_point("a"), path); });
+  EXPECT_NE(
+      message.find("a.gpkg: it holds the layer 'it's roads', which would be lost; name another "
+                   "file, or remove it first"),
+      std::string::npos)
+      << message;
+  EXPECT_EQ(test::content_of(path), before);
+  EXPECT_EQ(directory.entries(), 1u);
+  write_features(layer_of_a_point("it's roads"), path);  // its own place
+  write_features(layer_of_a_point("IT'S roads"), path);  // names of tables have no case
+  std::filesystem::copy(path, directory / "b.gpkg");
+  write_features(layer_of_a_point("a"), directory / "c.gpkg");
+  directory.file("d.gpkg", "no database");
+  write_features(layer_of_a_point("a"), directory / "d.gpkg");
+  directory.file("e.gpkg", "");
+  write_features(layer_of_a_point("a"), directory / "e.gpkg");
+}
+
+TEST(GeoPackage, LeavesARefusedOneAsItIs) {
+  if (std::system("python3 -c 'import sqlite3' 2>/dev/null") != 0)
+    GTEST_SKIP() << "needs Python's sqlite3";
+  const TemporaryDirectory directory;
+  const auto path = directory / "a %41?#.gpkg";
+  write_features(layer_of_a_point("roads"), path);
+  test::printed_by(
+      "python3 -c 'import sqlite3, sys; d = sqlite3.connect(sys.argv[1]); "
+      "d.execute(\"PRAGMA journal_mode = WAL\"); d.close()' '" +
+      path.string() + "' 2>&1");
+  EXPECT_THROW(write_features(layer_of_a_point("a"), path), FileError);
+  EXPECT_EQ(directory.entries(), 1u);
+}
+
+TEST(GeoPackage, SeesOtherLayersInAnOpenJournal) {
+  if (std::system("python3 -c 'import sqlite3' 2>/dev/null") != 0)
+    GTEST_SKIP() << "needs Python's sqlite3";
+  const TemporaryDirectory directory;
+  const auto path = directory / "a.gpkg";
+  write_features(layer_of_a_point("a"), path);
+  // As a program that ended without closing it.
+  const auto script = directory.file("add.py", R"add(
+import os, sqlite3, sys
+database = sqlite3.connect(sys.argv[1])
+database.execute("PRAGMA journal_mode = WAL")
+database.execute("INSERT INTO gpkg_contents (table_name, data_type, identifier) VALUES ('roads', 'attributes', 'roads')")
+database.commit()
+os._exit(0)
+)add");
+  test::printed_by("python3 '" + script.string() + "' '" + path.string() + "' 2>&1");
+  ASSERT_TRUE(std::filesystem::exists(directory / "a.gpkg-wal"));
+  const std::string message =
+      test::message_of<FileError>([&] { write_features(layer_of_a_point("a"), path); });
+  EXPECT_NE(message.find("it holds the layer 'roads'"), std::string::npos) << message;
 }
 
 /// A million are made and written in many batches.

@@ -265,9 +265,16 @@ TEST(LasCrs, HasTheSystemOfHeights) {
         Case{25832, 0, 9001, "EPSG:25832"}, Case{2277, 0, 9003, "EPSG:2277"}}) {
     const PointTable table = table_with(keys_of(c.projected, c.heights, c.unit));
     EXPECT_EQ(table.points.crs, parse_crs("--crs", c.same));
+    EXPECT_EQ(table.height_unit.metres != 0, c.unit == 9001 || c.unit == 9002 || c.unit == 9003);
     EXPECT_TRUE(table.warnings.empty()) << c.same << ": " << table.warnings[0];
   }
   EXPECT_EQ(table_with(keys_of(25833, 7837, 9001), true).points.crs, "EPSG:25832") << "by its text";
+}
+
+TEST(LasCrs, HasTheUnitOfHeights) {
+  EXPECT_EQ(table_with(keys_of(25832, 0, 9002)).height_unit.metres, 0.3048);
+  EXPECT_EQ(table_with(keys_of(25832, 0, 9001)).height_unit.metres, 1);
+  EXPECT_EQ(table_with(keys_of(25832, 7837, 0)).height_unit.metres, 0);
 }
 
 TEST(LasCrs, SaysWhatOfHeightsIsNotKept) {

@@ -63,6 +63,18 @@ class RasterFile : public testing::Test {
   test::TemporaryDirectory directory_;
 };
 
+TEST_F(RasterFile, takes_the_place_of_all_of_an_old_one) {
+  const Grid grid{500000, 5400302, 1, 1, 320, 310};
+  for (const bool shades : {false, true}) {
+    for (const char* beside : {".ovr", ".aux.xml", ".msk", ".msk.ovr"})
+      directory_.file(std::string("old.tif") + beside, "of the old file");
+    directory_.file("old.ovr", "of another");
+    write("old.tif", tent(), grid, shades);
+    EXPECT_EQ(directory_.entries(), 2u) << "and nothing else";
+    EXPECT_EQ(info_of("old.tif").find("Overviews"), std::string::npos);
+  }
+}
+
 TEST_F(RasterFile, has_the_heights_bit_by_bit) {
   const Tin tin = tent();
   // The summit is at the centre of a cell; more rows than are written at once.
@@ -136,6 +148,19 @@ TEST_F(RasterFile, may_be_very_wide) {
                 printed_by("printf '%.15g\\n' " + fmt::format("{}", heights[column])))
           << column << ' ' << row;
   }
+}
+
+TEST_F(RasterFile, refuses_cells_that_are_all_beside_the_mesh) {
+  // Elsewhere, and with a single cell whose centre is beside the mesh.
+  for (const Grid& grid : {Grid{0, 100, 1, 1, 20, 600}, Grid{499000, 5401000, 1500, 1500, 1, 1}})
+    for (const bool shades : {false, true}) {
+      const std::string message =
+          test::message_of<InputError>([&] { write("a.tif", tent(), grid, shades); });
+      EXPECT_NE(message.find("a.tif: the centre of no cell is on the mesh"), std::string::npos)
+          << message;
+      EXPECT_EQ(directory_.entries(), 0u);
+    }
+  write("a.tif", tent(), {500150, 5400160, 10, 10, 1, 1}, false);
 }
 
 TEST_F(RasterFile, refuses_more_cells_than_a_raster_may_have) {

@@ -18,6 +18,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/base/parallel.h"
+#include "hodt/io/formats.h"
 #include "hodt/io/local_frame.h"
 #include "hodt/io/tin_file.h"
 #include "hodt/io/tin_parts.h"
@@ -186,6 +187,31 @@ TEST(LandXml, HasNorthingsFirst) {
           .find("<CoordinateSystem ogcWktCode=\"PROJCRS[&#34;ETRS89 / &#60;UTM&#62; &#38; "
                 "\xc3\xb6stlich&#34;,&#10;    ID[&#34;EPSG&#34;,25832]]\" epsgCode=\"25832\"/>"),
       std::string::npos);
+}
+
+TEST(LandXml, HasTheUnitOfTheSystem) {
+  const auto units = [](const std::string& crs) {
+    Tin tin = small();
+    tin.crs = crs;
+    const std::string text = bytes_of(tin, ".xml");
+    const std::size_t begin = text.find("<Units>");
+    return begin == text.npos ? "" : text.substr(begin, text.find("</Units>") - begin);
+  };
+  const std::string metres =
+      "<Units><Metric areaUnit=\"squareMeter\" linearUnit=\"meter\" volumeUnit=\"cubicMeter\" "
+      "temperatureUnit=\"celsius\" pressureUnit=\"milliBars\"/>";
+  EXPECT_EQ(units(""), metres) << "nothing is known";
+  EXPECT_EQ(units("EPSG:25832"), metres);
+  if (!has_gdal()) return;
+  EXPECT_EQ(units("EPSG:2225"),
+            "<Units><Imperial areaUnit=\"squareFoot\" linearUnit=\"USSurveyFoot\" "
+            "volumeUnit=\"cubicFeet\" temperatureUnit=\"fahrenheit\" pressureUnit=\"inHG\"/>");
+  EXPECT_NE(units("EPSG:2222").find("linearUnit=\"foot\""), std::string::npos) << "Arizona";
+  EXPECT_EQ(units("EPSG:2225+6360").find("elevationUnit"), std::string::npos);
+  EXPECT_NE(units("EPSG:2225+5703").find("elevationUnit=\"meter\"/>"), std::string::npos);
+  EXPECT_NE(units("EPSG:25832+8228").find("elevationUnit=\"feet\"/>"), std::string::npos);
+  EXPECT_EQ(units("EPSG:4326"), "") << "degrees are no lengths";
+  EXPECT_EQ(units("EPSG:2314"), "") << "Clarke's foot";
 }
 
 TEST(Stl, TellsItsOriginAndRoundsFromThere) {

@@ -29,6 +29,8 @@ struct Lines {
   std::string part = {};
   /// The coordinate reference system, as in PointSet.
   std::string crs = {};
+  /// What may be wrong although the file could be read, each a sentence.
+  std::vector<std::string> warnings = {};
 };
 
 /// An area. A place is inside if a ray from it meets the rings an odd number of times, so rings may
@@ -40,6 +42,7 @@ struct Outline {
   std::string source = {};
   std::string part = {};
   std::string crs = {};
+  std::vector<std::string> warnings = {};
 };
 
 }  // namespace hodt

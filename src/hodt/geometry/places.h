@@ -30,6 +30,8 @@ struct Places {
   std::vector<Index> part_of_polygon = {};
   /// The coordinate reference system, as in PointSet.
   std::string crs = {};
+  /// As in Lines.
+  std::vector<std::string> warnings = {};
 
   bool empty() const { return points.empty() && polygons.empty(); }
 };

@@ -23,10 +23,6 @@ namespace hodt {
 
 namespace {
 
-std::string output_name(const std::filesystem::path& path) {
-  return is_standard_output(path) ? "standard output" : path.string();
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw FileError(fmt::format("cannot write {}: {}", output_name(path), why));
 }
@@ -190,6 +186,11 @@ void OutputFile::take_companion(const std::filesystem::path& made) {
   }
 }
 
+void OutputFile::outdate(std::string_view ends) {
+  std::istringstream all{std::string(ends)};
+  for (std::string end; all >> end;) outdated_.emplace_back(target_.native() + end);
+}
+
 /// Takes the place of the temporary file.
 void OutputFile::take(const std::filesystem::path& made) {
   {
@@ -282,6 +283,10 @@ void abandon_output_files() noexcept {
 bool is_standard_output(const std::filesystem::path& path) {
   constexpr std::string_view names[] = {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
   return std::find(std::begin(names), std::end(names), path.native()) != std::end(names);
+}
+
+std::string output_name(const std::filesystem::path& path) {
+  return is_standard_output(path) ? "standard output" : path.string();
 }
 
 std::filesystem::path follow_links(const std::filesystem::path& path) {

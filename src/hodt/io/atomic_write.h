@@ -39,6 +39,9 @@ class OutputFile {
   /// write().
   void fill_by_name(const std::function<void(const std::filesystem::path&)>& make,
                     std::string_view companions = {});
+  /// Files whose names are the target's with one of these at the end ("x.tif.ovr"), separated by
+  /// blanks, tell of an old file there, and would lie about the new one: they go when it appears.
+  void outdate(std::string_view ends);
   /// Everything is on the disk, and nothing more is written: what can fail has failed by now.
   void finish();
   /// Everything is on the disk, and then at the target.
@@ -68,7 +71,7 @@ class OutputFile {
   int descriptor_ = -1;
   bool owns_descriptor_ = true;
   std::vector<std::unique_ptr<OutputFile>> companions_;
-  std::vector<std::filesystem::path> outdated_;  ///< companions of an old file, to remove
+  std::vector<std::filesystem::path> outdated_;  ///< files beside an old one, to remove
 };
 
 /// Commits all of them, and none if one cannot be finished.
@@ -81,6 +84,9 @@ void abandon_output_files() noexcept;
 
 /// Whether the path stands for the process's standard output: "-", /dev/stdout and the like.
 bool is_standard_output(const std::filesystem::path& path);
+
+/// What messages call it as an output.
+std::string output_name(const std::filesystem::path& path);
 
 /// Where a chain of symbolic links ends, whether or not anything is there. Throws FileError if it
 /// has no end.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -167,6 +168,23 @@ ColumnRole role_of_angle_part(const std::vector<std::string>& words) {
   return ColumnRole::unknown;
 }
 
+/// Words for what is told about a coordinate.
+constexpr std::string_view kAboutValues =
+    " std stddev stdev sd sigma error errors err fehler accuracy acc genauigkeit precision rms "
+    "rmse "
+    "var variance uncertainty velocity vel speed diff delta residual ";
+
+/// The coordinate that a name begins with although it is not understood as a whole, as in
+/// "easting_utm32n".
+ColumnRole role_of_beginning(std::string_view name) {
+  if (role_of(name) != ColumnRole::unknown) return ColumnRole::unknown;
+  const std::vector<std::string> words = words_of(name);
+  const bool is_about = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return has_word(kAboutValues, word);
+  });
+  return words.empty() || is_about ? ColumnRole::unknown : role_of_word(words[0]);
+}
+
 /// The columns of one role.
 using Columns = std::vector<std::size_t>;
 
@@ -191,7 +209,10 @@ Columns columns_called(const std::vector<std::string>& names, std::string_view p
 class ColumnSearch {
  public:
   explicit ColumnSearch(const std::vector<std::string>& names) : names_(names) {
-    for (const std::string& name : names) roles_.push_back(role_of(name));
+    for (const std::string& name : names) {
+      roles_.push_back(role_of(name));
+      beginnings_.push_back(role_of_beginning(name));
+    }
   }
 
   NamedColumns find() && {
@@ -212,10 +233,11 @@ class ColumnSearch {
     const bool compass = !easts.empty() && !norths.empty();
     if (letters && compass)
       return take_plane(columns_of(roles_, {x, east}), columns_of(roles_, {y, north}));
-    if (letters) return take_plane(xs, ys);
-    if (compass) return take_plane(easts, norths);
+    if (letters) return take_plane(with_rivals(xs, ys, {x, east}, {y, north}));
+    if (compass) return take_plane(with_rivals(easts, norths, {x, east}, {y, north}));
     const Columns lons = columns_of(roles_, {longitude}), lats = columns_of(roles_, {latitude});
-    if (!lons.empty() && !lats.empty()) return take_plane(lons, lats);
+    if (!lons.empty() && !lats.empty())
+      return take_plane(with_rivals(lons, lats, {longitude}, {latitude}));
     const Columns some = columns_of(roles_, {x, y, east, north, longitude, latitude, height});
     if (!some.empty())
       found_.plane_problem = fmt::format("the names {} do not name both x and y", listed(names_));
@@ -227,6 +249,21 @@ class ColumnSearch {
          found_.height_problem);
   }
 
+  using Plane = std::pair<Columns, Columns>;
+  using Roles = std::initializer_list<ColumnRole>;
+
+  /// The columns, and such that could be of another system of coordinates, if there are of both
+  /// axes.
+  Plane with_rivals(Columns xs, Columns ys, Roles x_roles, Roles y_roles) const {
+    const Columns more_xs = columns_of(beginnings_, x_roles);
+    const Columns more_ys = columns_of(beginnings_, y_roles);
+    if (more_xs.empty() || more_ys.empty()) return {std::move(xs), std::move(ys)};
+    xs.insert(xs.end(), more_xs.begin(), more_xs.end());
+    ys.insert(ys.end(), more_ys.begin(), more_ys.end());
+    return {std::move(xs), std::move(ys)};
+  }
+
+  void take_plane(const Plane& plane) { take_plane(plane.first, plane.second); }
   void take_plane(const Columns& xs, const Columns& ys) {
     take("x", xs, found_.x, found_.plane_problem);
     take("y", ys, found_.y, found_.plane_problem);
@@ -243,7 +280,7 @@ class ColumnSearch {
   }
 
   const std::vector<std::string>& names_;
-  std::vector<ColumnRole> roles_;
+  std::vector<ColumnRole> roles_, beginnings_;
   NamedColumns found_;
 };
 

@@ -45,11 +45,6 @@ bool is_epsg_number(std::string_view code) {
   return code.starts_with(authority) && is_word(code.substr(authority.size()), is_digit);
 }
 
-/// The two kinds of feet are the same here.
-bool is_same_unit(double a, double b) {
-  return std::fabs(a - b) < 1e-5 * b;
-}
-
 std::vector<std::string> height_warnings_of(const CrsFacts& facts, double unit,
                                             const std::string& name) {
   if (unit == 0 || is_same_unit(unit, facts.unit)) return {};
@@ -74,11 +69,25 @@ std::string parse_crs(std::string_view option, const std::string& text) {
         "{} must be a coordinate reference system that is known, like EPSG:25832, not "
         "'{}'{}",
         option, text, has_gdal() ? "" : "; without GDAL hodt understands nothing but EPSG:number"));
+  if (facts && !facts->is_plane)
+    throw ParameterError(fmt::format(
+        "{} must be a coordinate reference system of x and y, like EPSG:25832, and '{}' ({}) is "
+        "geocentric or of heights alone",
+        option, text, facts->name));
   return facts ? facts->text : known;
 }
 
 bool is_same_crs(const std::string& a, const std::string& b) {
   return a == b || are_equal_crs(a, b);
+}
+
+bool tells_heights(const std::string& crs) {
+  const std::optional<CrsFacts> facts = crs.empty() ? std::nullopt : crs_facts(crs);
+  return facts && facts->has_heights;
+}
+
+bool is_same_unit(double a, double b) {
+  return std::fabs(a - b) < 1e-5 * b;
 }
 
 std::string crs_title(const std::string& crs) {
@@ -88,15 +97,18 @@ std::string crs_title(const std::string& crs) {
                                       : fmt::format("{} ({})", facts->text, facts->name);
 }
 
+std::string degrees_warning(const std::string& why) {
+  return fmt::format(
+      "x and y are degrees ({}), which are not of the same length, so that circles, lengths and "
+      "angles are not those on the ground; bring the data to a system in metres first, with "
+      "ogr2ogr -t_srs EPSG:... or, for rasters, gdalwarp -t_srs EPSG:...",
+      why);
+}
+
 std::vector<std::string> crs_warnings(const std::string& crs) {
   const std::optional<CrsFacts> facts = crs.empty() ? std::nullopt : crs_facts(crs);
   if (!facts) return {};
-  if (facts->is_geographic)
-    return {fmt::format(
-        "x and y are degrees ({}), which are not of the same length, so that circles, lengths and "
-        "angles are not those on the ground; bring the data to a system in metres first, with "
-        "ogr2ogr -t_srs EPSG:... or, for rasters, gdalwarp -t_srs EPSG:...",
-        facts->name)};
+  if (facts->is_geographic) return {degrees_warning(facts->name)};
   return height_warnings_of(*facts, facts->height_unit, facts->height_unit_name);
 }
 
@@ -123,6 +135,7 @@ CrsUnits crs_units(const std::string& crs) {
   };
   CrsUnits units;
   units.metres = facts->height_unit;
+  if (!facts->is_geographic) units.horizontal_metres = facts->unit;
   units.horizontal = facts->is_geographic ? "°" : short_name(facts->unit, facts->unit_name);
   if (facts->height_unit != 0)
     units.vertical = short_name(facts->height_unit, facts->height_unit_name);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "hodt/base/ids.h"
@@ -20,6 +21,8 @@ struct FeatureTaker {
   std::function<void(Line)> line = {};
   /// Three corners or more; the first corner may be repeated at the end. `outer`: a polygon begins.
   std::function<void(Line ring, bool outer)> ring = {};
+  /// A sentence about what may be wrong although it could be read. May be empty.
+  std::function<void(std::string)> warning = {};
 
   /// What errors say that a file can hold: "points and polygons".
   std::string_view can_hold = {};

@@ -48,7 +48,10 @@ PointTable read_table(const std::filesystem::path& path, const PointChoice& choi
 /// Tables have this extension, too.
 PointTable read_grid_or_table(const std::filesystem::path& path, const PointChoice& choice) {
   InputText input = read_input(path);
-  if (is_esri_grid(input.view())) return read_raster_points(path, choice);
+  if (is_esri_grid(input.view())) {
+    input = {};  // GDAL reads it by itself
+    return read_raster_points(path, choice);
+  }
   return parse_points(std::move(input), choice);
 }
 
@@ -164,6 +167,10 @@ std::string known_extensions(Use use) {
                      packed == known ? "each" : fmt::format("{}", fmt::join(packed, ", ")));
 }
 
+bool is_reading(Use use) {
+  return use == Use::read_points || use == Use::read_features || use == Use::read_tin;
+}
+
 std::string_view doing(Use use) {
   switch (use) {
     case Use::read_points:
@@ -231,7 +238,8 @@ const Format& format_for(const std::filesystem::path& path, Use use) {
   if (const Format* format = find_format(path, use)) return *format;
   const std::string extension = extension_of(path, use);
   throw ParameterError(fmt::format(
-      "cannot {} {}: {}; known are {}", doing(use), display_name(path),
+      "cannot {} {}: {}; known are {}", doing(use),
+      is_reading(use) ? display_name(path) : output_name(path),
       extension.empty() ? "the name has no extension" : "unknown extension '" + extension + "'",
       known_extensions(use)));
 }

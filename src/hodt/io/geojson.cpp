@@ -140,9 +140,9 @@ std::string crs_member(const std::string& crs) {
 
 }  // namespace
 
-std::size_t write_geojson(OutputFile& file, std::size_t count,
+std::size_t write_geojson(OutputFile& file, const std::string& crs, std::size_t count,
                           const std::function<void(std::size_t, PolygonFeature&)>& make) {
-  file.write("{\"type\":\"FeatureCollection\",\"features\":[");
+  file.write(fmt::format("{{\"type\":\"FeatureCollection\",{}\"features\":[", crs_member(crs)));
   Features features(file);
   const auto append = [&](std::size_t i, PolygonFeature& feature, std::string& text) {
     make(i, feature);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "hodt/base/ids.h"
@@ -20,10 +21,10 @@ struct PolygonFeature {
 };
 
 /// Writes a FeatureCollection with a Polygon for each of the features 0 to count - 1, in this
-/// order, with the property "points". make(i, feature) fills in feature i, which holds an earlier
-/// one; it is called by several threads at once. A feature with an empty ring is left out. Returns
-/// the number written.
-std::size_t write_geojson(OutputFile& file, std::size_t count,
+/// order, with the property "points", and the coordinate reference system as write_geojson_layer()
+/// names it. make(i, feature) fills in feature i, which holds an earlier one; it is called by
+/// several threads at once. A feature with an empty ring is left out. Returns the number written.
+std::size_t write_geojson(OutputFile& file, const std::string& crs, std::size_t count,
                           const std::function<void(std::size_t, PolygonFeature&)>& make);
 
 /// Writes a layer, every feature on a line of its own. RFC 7946 knows no coordinate reference

@@ -232,14 +232,33 @@ class Walker {
   std::size_t positions_ = 0;        // of that so far
 };
 
+/// Empty if there is no name.
+std::string crs_name(const Json& root) {
+  const Json::json_pointer name("/crs/properties/name");
+  const bool has_name = root.contains(name) && root.at(name).is_string();
+  return has_name ? crs_of_urn(root.at(name).get<std::string>()) : std::string();
+}
+
 }  // namespace
 
 std::string read_geojson(const InputText& text, const FeatureTaker& taker) {
   const Json root = parsed(text, taker);
   Walker(text, taker).walk(root);
-  const Json::json_pointer name("/crs/properties/name");
-  const bool has_name = root.contains(name) && root.at(name).is_string();
-  return has_name ? crs_of_urn(root.at(name).get<std::string>()) : std::string();
+  return crs_name(root);
+}
+
+GeoJsonCrs crs_of_geojson(const InputText& text) {
+  constexpr std::string_view key = "\"crs\"";
+  if (text.view().find(key) == std::string_view::npos) return {};
+  // All else is read over.
+  const auto is_crs = [](int depth, Json::parse_event_t event, const Json& parsed) {
+    return depth != 1 || event != Json::parse_event_t::key || parsed == "crs";
+  };
+  const Json root = Json::parse(text.view(), is_crs, false);
+  if (!root.is_object() || !root.contains("crs")) return {};
+  const Json& crs = root.at("crs");
+  constexpr std::size_t longest = 80;
+  return {true, crs.is_null(), crs_name(root), crs.dump().substr(0, longest)};
 }
 
 }  // namespace hodt

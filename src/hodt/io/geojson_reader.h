@@ -16,4 +16,15 @@ namespace hodt {
 /// place, if the text is none or holds what the taker does not take.
 std::string read_geojson(const InputText& text, const FeatureTaker& taker);
 
+/// What the member crs of a text says.
+struct GeoJsonCrs {
+  bool is_there = false;
+  bool is_null = false;
+  std::string name;  ///< as crs_of_urn() gives it; empty if it is something else than a name
+  std::string text;  ///< as it stands there, or its beginning
+};
+
+/// Says that there is none if the text is no JSON.
+GeoJsonCrs crs_of_geojson(const InputText& text);
+
 }  // namespace hodt

@@ -6,11 +6,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "hodt/base/buffer.h"
+#include "hodt/base/error.h"
 #include "hodt/base/ids.h"
+#include "hodt/base/printable.h"
 #include "hodt/io/crs_name.h"
 #include "hodt/io/feature_file.h"
 #include "hodt/io/feature_texts.h"
@@ -341,9 +344,24 @@ void describe(Database& database, const FeatureLayer& layer, const std::string& 
                   sql_text(table), kGeometryColumn));
 }
 
+/// The file is replaced as a whole, and with it what somebody else has put there.
+void refuse_to_lose_layers(const std::filesystem::path& path, const std::string& table) {
+  const std::string others = fmt::format(
+      "SELECT table_name FROM gpkg_contents WHERE lower(table_name) <> lower({})", sql_text(table));
+  const std::vector<std::string> lost = words_in_database(path, others);
+  if (!lost.empty())
+    throw FileError(
+        fmt::format("cannot write {}: it holds the layer '{}'{}, which would be lost; name another "
+                    "file, or remove it first",
+                    path.string(), printable(lost[0]),
+                    lost.size() == 1 ? "" : fmt::format(" and {} more", lost.size() - 1)));
+}
+
 }  // namespace
 
 void write_geopackage(const FeatureLayer& layer, OutputFile& file) {
+  if (file.is_replaced())
+    refuse_to_lose_layers(file.path(), table_name(layer_name(layer, file.path())));
   file.fill_by_name([&](const std::filesystem::path& path) {
     Database database(path, file.path());
     database.run(kTables);
@@ -359,6 +377,7 @@ void write_geopackage(const FeatureLayer& layer, OutputFile& file) {
     database.run("COMMIT");
     database.close();
   });
+  file.outdate("-wal -shm -journal");  // SQLite would take it for pages of the new file
 }
 
 }  // namespace hodt

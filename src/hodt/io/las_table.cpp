@@ -1,6 +1,5 @@
 #include "hodt/io/las_table.h"
 
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +55,7 @@ std::vector<std::string> add_heights(const LasHeights& heights, std::string& crs
   const std::string joined =
       heights.system == 0 || crs.empty() ? "" : crs_with_heights(crs, system_of(heights));
   const double metres = crs_units(joined).metres;
-  const bool agrees = unit == nullptr || std::fabs(unit->metres - metres) < 1e-5 * metres;
+  const bool agrees = unit == nullptr || is_same_unit(unit->metres, metres);
   if (!joined.empty() && agrees) {
     crs = joined;
     return {};
@@ -80,7 +79,10 @@ PointTable read_las_table(const InputText& input, const PointChoice& choice) {
   for (std::string& warning : add_heights(las.heights, las.points.crs))
     warnings.push_back(std::move(warning));
   const TakenColumns taken{{1, "X"}, {2, "Y"}, {{3, "Z"}}, las.counts};
-  return {std::move(las.points), taken, std::move(warnings)};
+  PointTable table{std::move(las.points), taken, std::move(warnings)};
+  if (const Unit* const unit = unit_of(las.heights.unit))
+    table.height_unit = {unit->metres, unit->name};
+  return table;
 }
 
 }  // namespace hodt

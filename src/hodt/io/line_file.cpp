@@ -47,13 +47,15 @@ Line ring_of(Line line) {
 /// Appends what `line` makes of lines, and rings of polygons, to `lines`; at least one. Returns the
 /// coordinate reference system.
 std::string collect(const Reading& read, const std::string& name, std::string_view can_hold,
-                    const std::function<Line(Line)>& line, std::vector<Line>& lines) {
+                    const std::function<Line(Line)>& line, std::vector<Line>& lines,
+                    std::vector<std::string>& warnings) {
   FeatureTaker taker;
   taker.can_hold = can_hold;
   taker.heights = true;
   taker.skips_empty = true;
   taker.line = [&](Line taken) { lines.push_back(line(std::move(taken))); };
   taker.ring = [&](Line ring, bool) { lines.push_back(closed(std::move(ring))); };
+  taker.warning = [&](std::string warning) { warnings.push_back(std::move(warning)); };
   std::string crs = read(taker);
   if (lines.empty())
     throw InputError(fmt::format("{} holds nothing; {} are what it can hold", name, can_hold));
@@ -63,13 +65,15 @@ std::string collect(const Reading& read, const std::string& name, std::string_vi
 Lines lines_of(const Reading& read, const std::string& name) {
   Lines lines{{}, name, "feature"};
   lines.crs = collect(
-      read, name, "lines and polygons", [](Line line) { return line; }, lines.lines);
+      read, name, "lines and polygons", [](Line line) { return line; }, lines.lines,
+      lines.warnings);
   return lines;
 }
 
 Outline outline_of(const Reading& read, const std::string& name) {
   Outline outline{{}, name, "feature"};
-  outline.crs = collect(read, name, "polygons and closed lines", ring_of, outline.rings);
+  outline.crs =
+      collect(read, name, "polygons and closed lines", ring_of, outline.rings, outline.warnings);
   return outline;
 }
 

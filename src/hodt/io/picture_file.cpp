@@ -6,7 +6,6 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/file_name.h"
-#include "hodt/io/input_text.h"
 #include "hodt/io/svg_renderer.h"
 
 namespace hodt {
@@ -29,7 +28,7 @@ void check_picture_output(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension != ".svg" && extension != ".png")
     throw ParameterError(
-        fmt::format("cannot write a picture to {}: known are .svg, .png", display_name(path)));
+        fmt::format("cannot write a picture to {}: known are .svg, .png", output_name(path)));
   if (extension == ".png") require_svg_renderer();
 }
 

@@ -44,6 +44,7 @@ Places places_of(const std::string& name,
     }
     places.polygons.back().rings.push_back(std::move(ring.xy));
   };
+  taker.warning = [&](std::string warning) { places.warnings.push_back(std::move(warning)); };
   places.crs = read(taker);
   return places;
 }

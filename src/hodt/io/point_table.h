@@ -14,6 +14,12 @@
 
 namespace hodt {
 
+/// What heights are counted in.
+struct HeightUnit {
+  double metres = 0;  ///< 0: unknown
+  std::string name = {};
+};
+
 /// Points, and how they were read.
 struct PointTable {
   PointSet points;
@@ -23,6 +29,8 @@ struct PointTable {
   /// The raster that has the points for centres of its cells, row after row, if it lies along the
   /// axes and all its rows and columns were taken.
   std::optional<Grid> grid = {};
+  /// What the file says of it beside its coordinate reference system.
+  HeightUnit height_unit = {};
 };
 
 /// Parses a table of points. docs/points.md says which tables are understood; what is not, is

@@ -10,7 +10,6 @@
 #include "hodt/base/error.h"
 #include "hodt/io/file_name.h"
 #include "hodt/io/gdal/raster.h"
-#include "hodt/io/input_text.h"
 
 namespace hodt {
 
@@ -34,17 +33,27 @@ void write_rows(const Tin& tin, const Grid& grid, double no_data, OutputFile& fi
     const CellTriangles cells(tin, grid);
     std::vector<Index> triangles;
     std::vector<Value> out;
+    bool is_empty = true;
     for (std::size_t row = 0; row < grid.rows; row += rows_in_batch) {
       if (progress) progress("raster", double(row) / double(grid.rows));
       const std::size_t count = std::min(rows_in_batch, grid.rows - row) * grid.columns;
       triangles.resize(count);
       out.resize(count);
       cells.fill(row, triangles);
+      is_empty = is_empty && std::all_of(triangles.begin(), triangles.end(),
+                                         [](Index triangle) { return triangle == kNone; });
       values(row, triangles, out);
       writer.write(row, count / grid.columns, out.data());
     }
+    if (is_empty)
+      throw InputError(
+          fmt::format("cannot write {}: the centre of no cell is on the mesh; choose smaller "
+                      "cells, or a raster "
+                      "of the same place",
+                      file.path().string()));
     writer.finish();
   });
+  file.outdate(".ovr .ovr.ovr .msk .msk.ovr .aux.xml");
 }
 
 }  // namespace
@@ -74,7 +83,7 @@ bool is_raster_name(const std::filesystem::path& path) {
 void check_raster_output(const std::filesystem::path& path) {
   if (!is_raster_name(path))
     throw ParameterError(
-        fmt::format("cannot write a raster to {}: known are .tif, .tiff", display_name(path)));
+        fmt::format("cannot write a raster to {}: known are .tif, .tiff", output_name(path)));
   require_gdal();
 }
 

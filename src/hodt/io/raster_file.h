@@ -13,8 +13,9 @@ namespace hodt {
 
 /// Writes heights at the centres of cells, as doubles; NaN, declared as no data, outside of the
 /// mesh, which is embedded and has heights. A centre at a vertex has its height bit by bit. All
-/// cores work; memory does not grow with the number of rows. Throws FileError, and ParameterError
-/// without GDAL or if there are more cells than a raster may have.
+/// cores work; memory does not grow with the number of rows. Throws FileError, InputError if no
+/// centre is on the mesh, and ParameterError without GDAL or if there are more cells than a raster
+/// may have.
 void write_heights(const Tin& tin, const Grid& grid, OutputFile& file,
                    const Progress& progress = {});
 

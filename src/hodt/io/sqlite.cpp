@@ -107,6 +107,14 @@ class RowTable {
   std::exception_ptr failure_;
 };
 
+/// The name by which SQLite opens a file and makes none beside it: as one that nobody changes,
+/// unless a journal says that somebody did.
+std::string name_to_look_at(const std::filesystem::path& path) {
+  std::string name = "file:";
+  for (const char c : path.native()) name += fmt::format("%{:02x}", static_cast<unsigned char>(c));
+  return name + (std::filesystem::exists(path.native() + "-wal") ? "?mode=ro" : "?immutable=1");
+}
+
 const sqlite3_module RowTable::kModule = [] {
   sqlite3_module module{};
   module.xConnect = connect;
@@ -171,6 +179,21 @@ void Database::fail() {
                     : error != 0        ? std::strerror(error)
                                         : sqlite3_errmsg(handle_);
   throw FileError(fmt::format("cannot write {}: {}", shown_.string(), why));
+}
+
+std::vector<std::string> words_in_database(const std::filesystem::path& path,
+                                           const std::string& query) {
+  std::vector<std::string> words;
+  const auto take = [](void* to, int, char** values, char**) {
+    if (values[0] != nullptr) static_cast<std::vector<std::string>*>(to)->emplace_back(values[0]);
+    return 0;
+  };
+  sqlite3* database = nullptr;
+  constexpr int flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
+  if (sqlite3_open_v2(name_to_look_at(path).c_str(), &database, flags, nullptr) == SQLITE_OK)
+    sqlite3_exec(database, query.c_str(), take, &words, nullptr);
+  sqlite3_close(database);
+  return words;
 }
 
 std::string sql_name(std::string_view name) {

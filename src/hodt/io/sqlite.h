@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 struct sqlite3;
 
@@ -51,6 +52,11 @@ class Database {
   sqlite3* handle_ = nullptr;
   std::filesystem::path shown_;
 };
+
+/// The words in the first column of a query's rows, from a file that stays as it is. Empty if it is
+/// no database, or has nothing like that.
+std::vector<std::string> words_in_database(const std::filesystem::path& path,
+                                           const std::string& query);
 
 /// A name as SQL writes it: "layer ""a""".
 std::string sql_name(std::string_view name);

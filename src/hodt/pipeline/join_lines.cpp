@@ -136,7 +136,9 @@ class Joiner {
 Joined Joiner::join(std::span<const Lines> lines, const std::optional<Outline>& outline) && {
   joined_.sources.assign(lines.begin(), lines.end());
   has_outline_ = outline.has_value();
-  if (outline) joined_.sources.push_back({outline->rings, outline->source, outline->part});
+  if (outline)
+    joined_.sources.push_back(
+        {outline->rings, outline->source, outline->part, outline->crs, outline->warnings});
   for (const Lines& source : joined_.sources) check_place(joined_.points, source);
   if (options_.snap > 0) snap_to_points();
   find_points();

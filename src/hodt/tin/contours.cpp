@@ -212,18 +212,7 @@ std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels
   return lines;
 }
 
-namespace {
-
-/// A level is counted by its number, and beyond 2^53 a number and the next one are the same.
-void check_level_numbers(double first, double last, double interval, double base) {
-  if (std::fabs(first) <= 0x1p53 && std::fabs(last) <= 0x1p53) return;
-  throw ParameterError(fmt::format(
-      "the surface is too many intervals of {} away from the base {} to count them exactly; "
-      "choose a base that is nearer to its heights, or a larger interval",
-      interval, base));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<double> contour_levels(const Tin& tin, double interval, double base) {
   check_heights(tin);
@@ -232,6 +221,7 @@ std::vector<double> contour_levels(const Tin& tin, double interval, double base)
         fmt::format("the interval of contours must be a positive number, and the base a number; "
                     "they are {} and {}",
                     interval, base));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> levels;
   if (tin.points.z.empty()) return levels;
   const auto [lowest, highest] = std::minmax_element(tin.points.z.begin(), tin.points.z.end());
@@ -245,8 +235,20 @@ std::vector<double> contour_levels(const Tin& tin, double interval, double base)
         "an interval of {} makes more than the {} levels between {} and {} that there may be; "
         "choose a larger one, {} does",
         interval, kMost, low, high, next_round_number(interval, does)));
+  // Beyond, base + i * interval is no longer another level for each i, and at last i + 1 is i.
+  const double largest = std::max({std::fabs(low), std::fabs(high), std::fabs(base)});
+  const double step = std::nextafter(largest, kInfinity) - largest;
+  constexpr double kMostExact = 0x1p53;
+  const auto is_told = [&](double d) {
+    return d >= step && std::fabs(first_of(d)) < kMostExact && std::fabs(last_of(d)) < kMostExact;
+  };
+  if (!is_told(interval))
+    throw ParameterError(fmt::format(
+        "levels an interval of {} apart are not told apart at {}, where numbers are {} apart; "
+        "choose a larger one, {} does",
+        interval, largest, step,
+        next_round_number(interval, [&](double d) { return does(d) && is_told(d); })));
   const double first = first_of(interval), last = last_of(interval);
-  check_level_numbers(first, last, interval, base);
   for (double i = first; i <= last; ++i) {
     const double level = base + i * interval;
     if (low <= level && level <= high && (levels.empty() || level > levels.back()))

@@ -38,7 +38,7 @@ std::vector<ContourLine> contours(const Tin& tin, std::span<const double> levels
 
 /// The levels base + i * interval, for whole numbers i, that the surface reaches. Throws
 /// ParameterError if the interval is not positive, either is not finite, there would be more than
-/// ten million, or some i is beyond 2^53, where doubles do not hold every whole number.
+/// ten million, or they are nearer to each other than doubles of their size.
 std::vector<double> contour_levels(const Tin& tin, double interval, double base = 0);
 
 }  // namespace hodt

@@ -60,6 +60,7 @@ namespace hodt {
   FUNCTION(OGR_F_Destroy)                    \
   FUNCTION(OGR_F_GetFieldAsDouble)           \
   FUNCTION(OGR_F_GetGeometryRef)             \
+  FUNCTION(OGR_F_GetStyleString)             \
   FUNCTION(OGR_F_IsFieldSetAndNotNull)       \
   FUNCTION(OGR_F_SetFieldDouble)             \
   FUNCTION(OGR_F_SetFieldInteger64)          \
@@ -93,6 +94,8 @@ namespace hodt {
   FUNCTION(OGR_L_GetSpatialRef)              \
   FUNCTION(OGR_L_ResetReading)               \
   FUNCTION(OGR_L_SetIgnoredFields)           \
+  FUNCTION(OSRAutoIdentifyEPSG)              \
+  FUNCTION(OSRClone)                         \
   FUNCTION(OSRDemoteTo2D)                    \
   FUNCTION(OSRExportToWktEx)                 \
   FUNCTION(OSRGetAuthorityCode)              \
@@ -102,8 +105,10 @@ namespace hodt {
   FUNCTION(OSRGetName)                       \
   FUNCTION(OSRGetTargetLinearUnits)          \
   FUNCTION(OSRIsCompound)                    \
+  FUNCTION(OSRIsGeocentric)                  \
   FUNCTION(OSRIsGeographic)                  \
   FUNCTION(OSRIsSameEx)                      \
+  FUNCTION(OSRIsVertical)                    \
   FUNCTION(OSRNewSpatialReference)           \
   FUNCTION(OSRRelease)                       \
   FUNCTION(OSRSetAxisMappingStrategy)        \

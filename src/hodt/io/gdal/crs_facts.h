@@ -11,9 +11,11 @@ struct CrsFacts {
   std::string text;  ///< as hodt carries it: a code or WKT
   std::string name;
   bool is_geographic = false;
-  double unit = 1;  ///< of x and y, in metres
+  bool is_plane = true;  ///< of x and y or of longitude and latitude, not geocentric or vertical
+  double unit = 1;       ///< of x and y, in metres
   std::string unit_name;
-  double height_unit = 0;  ///< 0: it says nothing of heights
+  bool has_heights = false;
+  double height_unit = 0;  ///< 0: it says nothing of it
   std::string height_unit_name;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,6 +28,13 @@ std::string quoted_list(const std::vector<std::string>& names) {
 
 std::string field_name(OGRFeatureDefnH fields, int field) {
   return gdal().OGR_Fld_GetNameRef(gdal().OGR_FD_GetFieldDefn(fields, field));
+}
+
+/// Whether a drawing (DXF) has a text there: TEXT, MTEXT, ATTRIB and the texts of dimensions. Its
+/// point is where the text stands, and its height that of the paper.
+bool is_label(OGRFeatureH feature) {
+  const char* const style = gdal().OGR_F_GetStyleString(feature);
+  return style && std::string_view(style).starts_with("LABEL(");
 }
 
 }  // namespace
@@ -94,9 +102,11 @@ int Layer::number_field(const std::string& name) const {
   return field;
 }
 
-void Layer::for_each(int field, const std::function<void(OGRFeatureH, Index)>& f) const {
+Index Layer::for_each(int field, const std::function<void(OGRFeatureH, Index)>& f) const {
   const std::vector<std::string> names = fields();
-  std::vector<const char*> ignored = {"OGR_STYLE"};
+  const bool is_drawing = driver() == "DXF";
+  std::vector<const char*> ignored;
+  if (!is_drawing) ignored.push_back("OGR_STYLE");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (static_cast<int>(i) != field) ignored.push_back(names[i].c_str());
   ignored.push_back(nullptr);
@@ -104,9 +114,13 @@ void Layer::for_each(int field, const std::function<void(OGRFeatureH, Index)>& f
   gdal().OGR_L_SetIgnoredFields(layer_, ignored.data());  // or they are read in vain
   errors.take();
   gdal().OGR_L_ResetReading(layer_);
-  Index number = 0;
+  Index number = 0, labels = 0;
   while (const Feature feature{gdal().OGR_L_GetNextFeature(layer_)}) {
     if (++number == kNone) throw InputError(fmt::format("{} has too many features", file_));
+    if (is_drawing && is_label(feature.get())) {
+      ++labels;
+      continue;
+    }
     try {
       f(feature.get(), number);
     } catch (const InputError& error) {
@@ -115,6 +129,14 @@ void Layer::for_each(int field, const std::function<void(OGRFeatureH, Index)>& f
   }
   if (const std::string error = errors.take(); !error.empty())
     throw InputError(fmt::format("{} is damaged behind feature {}: {}", file_, number, error));
+  return labels;
+}
+
+std::vector<std::string> label_warnings(Index labels) {
+  if (labels == 0) return {};
+  return {fmt::format("{} of the drawing {} left out",
+                      labels == 1 ? "1 label" : fmt::format("{} labels", labels),
+                      labels == 1 ? "is" : "are")};
 }
 
 }  // namespace hodt

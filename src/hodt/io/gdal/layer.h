@@ -31,13 +31,17 @@ class Layer {
   std::vector<std::string> fields() const;
 
   /// Calls f(feature, number) with each, numbered from 1; only the field (or none, -1) is read.
-  /// InputErrors get the feature's number in front. Throws InputError, too, if the file is damaged.
-  void for_each(int field, const std::function<void(OGRFeatureH, Index)>& f) const;
+  /// Labels of drawings are left out; returns how many. InputErrors get the feature's number in
+  /// front. Throws InputError, too, if the file is damaged.
+  Index for_each(int field, const std::function<void(OGRFeatureH, Index)>& f) const;
 
  private:
   std::string file_;
   Dataset dataset_;
   OGRLayerH layer_ = nullptr;
 };
+
+/// Says how many labels for_each() left out; empty if none.
+std::vector<std::string> label_warnings(Index labels);
 
 }  // namespace hodt

@@ -41,7 +41,7 @@ void hand_over(OGRGeometryH part, Part kind, Index feature, const FeatureTaker& 
 std::string read_layer_features(const std::filesystem::path& path, const std::string& name,
                                 const FeatureTaker& taker) {
   const Layer layer(path, name);
-  layer.for_each(-1, [&](OGRFeatureH feature, Index number) {
+  const Index labels = layer.for_each(-1, [&](OGRFeatureH feature, Index number) {
     const OGRGeometryH geometry = gdal().OGR_F_GetGeometryRef(feature);
     if (!geometry) return;  // a feature may be nowhere
     if (gdal().OGR_G_IsEmpty(geometry) && !taker.skips_empty)
@@ -49,6 +49,8 @@ std::string read_layer_features(const std::filesystem::path& path, const std::st
     for_each_part(geometry,
                   [&](OGRGeometryH part, Part kind) { hand_over(part, kind, number, taker); });
   });
+  if (taker.warning)
+    for (std::string& warning : label_warnings(labels)) taker.warning(std::move(warning));
   return layer.crs();
 }
 

@@ -8,9 +8,11 @@
 #include <fmt/ranges.h>
 
 #include "hodt/base/error.h"
+#include "hodt/io/crs.h"
 #include "hodt/io/gdal/geometry.h"
 #include "hodt/io/gdal/layer.h"
 #include "hodt/io/gdal/readers.h"
+#include "hodt/io/geojson_reader.h"
 #include "hodt/io/input_text.h"
 #include "hodt/io/point_doubts.h"
 
@@ -27,9 +29,10 @@ class PointTaker {
   }
 
   PointSet take_all() {
-    layer_.for_each(field_, [&](OGRFeatureH feature, Index) { take(feature); });
+    labels_ = layer_.for_each(field_, [&](OGRFeatureH feature, Index) { take(feature); });
     return std::move(points_);
   }
+  Index labels() const { return labels_; }
   std::size_t features() const { return features_; }
   std::size_t without_geometry() const { return without_geometry_; }
 
@@ -84,6 +87,7 @@ class PointTaker {
   const LayerChoice& choice_;
   int field_ = -1;
   PointSet points_;
+  Index labels_ = 0;
   std::size_t features_ = 0, without_geometry_ = 0;
 };
 
@@ -107,6 +111,34 @@ bool are_degrees(const PointSet& points) {
                      [](const Point& p) { return std::fabs(p.x) <= 180 && std::fabs(p.y) <= 90; });
 }
 
+/// Whether a name that may be anything is one of WGS 84. GDAL would look up addresses.
+bool is_name_of_world(const std::string& name) {
+  const bool is_address = name.find("://") != name.npos;
+  const bool is_known_address = name.starts_with("http://www.opengis.net/def/crs/") ||
+                                name.starts_with("https://www.opengis.net/def/crs/");
+  return (!is_address || is_known_address) && is_same_crs(name, "EPSG:4326");
+}
+
+/// GDAL takes GeoJSON for WGS 84 that says nothing, which is right, but also what says something
+/// that GDAL does not understand.
+void check_world(const InputText& text, PointTable& table) {
+  if (!are_degrees(table.points)) {
+    table.points.crs.clear();
+    table.warnings.emplace_back(
+        "by the standard GeoJSON is WGS 84, but these are no degrees: the coordinate reference "
+        "system is unknown; say it with --crs");
+    return;
+  }
+  const GeoJsonCrs crs = crs_of_geojson(text);
+  if (!crs.is_there || is_name_of_world(crs.name)) return;
+  table.points.crs.clear();
+  if (!crs.is_null)
+    table.warnings.push_back(
+        fmt::format("its member crs, {}, is not understood: the coordinate reference system is "
+                    "unknown; say it with --crs",
+                    crs.text));
+}
+
 }  // namespace
 
 PointTable read_layer_points(const std::filesystem::path& path, const PointChoice& choice) {
@@ -124,13 +156,11 @@ PointTable read_layer_points(const std::filesystem::path& path, const PointChoic
   if (taker.without_geometry() > 0)
     table.warnings.push_back(fmt::format("{} of {} features have no geometry and are left out",
                                          taker.without_geometry(), taker.features()));
+  for (std::string& warning : label_warnings(taker.labels()))
+    table.warnings.push_back(std::move(warning));
   table.points.crs = layer.crs();
-  if (layer.driver() == "GeoJSON" && is_world(table.points.crs) && !are_degrees(table.points)) {
-    table.points.crs.clear();
-    table.warnings.push_back(
-        "by the standard GeoJSON is WGS 84, but these are no degrees: the coordinate reference "
-        "system is unknown; say it with --crs");
-  }
+  const bool is_geojson = layer.driver() == "GeoJSON" || layer.driver() == "GeoJSONSeq";
+  if (is_geojson && is_world(table.points.crs)) check_world(read_input(path), table);
   for (std::string& warning : warn_of_no_data(table.points))
     table.warnings.push_back(std::move(warning));
   return table;

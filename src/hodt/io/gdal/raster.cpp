@@ -44,7 +44,10 @@ struct RasterWriter::State {
 
   /// A system that is not known is not lost in silence.
   void set_crs(const std::string& crs) {
-    const std::string definition = crs_definition(crs);
+    std::string definition = crs_definition(crs);
+    // The older text has no heights beside longitude and latitude.
+    if (const Reference reference = reference_of(crs); definition.empty() && reference)
+      definition = wkt_of(reference.get(), "WKT2_2019");
     if (definition.empty() ||
         gdal().GDALSetProjection(dataset.get(), definition.c_str()) != CE_None)
       throw ParameterError(fmt::format(

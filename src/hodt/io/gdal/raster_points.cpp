@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include "hodt/base/error.h"
 #include "hodt/io/crs.h"
+#include "hodt/io/esri_grid.h"
 #include "hodt/io/gdal/dataset.h"
 #include "hodt/io/gdal/readers.h"
 #include "hodt/io/gdal/spatial_reference.h"
@@ -25,6 +27,10 @@ namespace {
 Point centre(const Affine& g, double column, double row) {
   const double i = column + 0.5, j = row + 0.5;
   return {g[0] + i * g[1] + j * g[2], g[3] + i * g[4] + j * g[5]};
+}
+
+bool is_of_driver(GDALDatasetH dataset, std::string_view name) {
+  return gdal().GDALGetDescription(gdal().GDALGetDatasetDriver(dataset)) == name;
 }
 
 GDALRasterBandH band_of(GDALDatasetH dataset, Index band, const std::string& name) {
@@ -131,9 +137,8 @@ PointSet centres(GDALDatasetH dataset, const Affine& g, GDALRasterBandH band, In
   return points;
 }
 
-/// Says so if the band's values are in other units than x and y. Names are those that GDAL's
-/// drivers use.
-std::vector<std::string> warn_of_unit(GDALRasterBandH band, const std::string& crs) {
+/// What the band says of its values. Names are those that GDAL's drivers use.
+HeightUnit unit_of(GDALRasterBandH band) {
   const char* const said = gdal().GDALGetRasterUnitType(band);
   const std::string unit = said ? said : "";
   for (const auto& [name, metres] : {std::pair{"m", 1.},
@@ -147,8 +152,14 @@ std::vector<std::string> warn_of_unit(GDALRasterBandH band, const std::string& c
                                      {"foot", 0.3048},
                                      {"feet", 0.3048},
                                      {"US survey foot", 1200. / 3937}})
-    if (unit == name) return height_warnings(crs, metres, unit);
+    if (unit == name) return {metres, unit};
   return {};
+}
+
+/// Says so if they are in other units than x and y.
+std::vector<std::string> warn_of_unit(const HeightUnit& unit, const std::string& crs) {
+  if (unit.metres == 0) return {};
+  return height_warnings(crs, unit.metres, unit.name);
 }
 
 }  // namespace
@@ -157,6 +168,7 @@ PointTable read_raster_points(const std::filesystem::path& path, const PointChoi
   const std::string name = display_name(path);
   check_choice(choice, PointKind::raster, name);
   const Dataset dataset = open_dataset(path, DatasetKind::raster);
+  if (is_of_driver(dataset.get(), "AAIGrid")) check_esri_grid(read_input(path));
   const GDALRasterBandH band = band_of(dataset.get(), choice.raster.band, name);
   const Index stride = std::max<Index>(1, choice.raster.stride);
   PointTable table;
@@ -172,9 +184,10 @@ PointTable read_raster_points(const std::filesystem::path& path, const PointChoi
   const GDALColorInterp colours = gdal().GDALGetRasterColorInterpretation(band);
   if (GCI_PaletteIndex <= colours && colours <= GCI_BlackBand)
     table.warnings.emplace_back("its cells are colours, not heights, by what the file says");
+  table.height_unit = unit_of(band);
   for (std::string& warning : warn_of_no_data(table.points))
     table.warnings.push_back(std::move(warning));
-  for (std::string& warning : warn_of_unit(band, table.points.crs))
+  for (std::string& warning : warn_of_unit(table.height_unit, table.points.crs))
     table.warnings.push_back(std::move(warning));
   return table;
 }

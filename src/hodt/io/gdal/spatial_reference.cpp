@@ -61,9 +61,13 @@ std::optional<CrsFacts> crs_facts(const std::string& crs) {
   facts.text = crs_text(reference.get());
   facts.name = text_or_empty(gdal().OSRGetName(reference.get()));
   facts.is_geographic = gdal().OSRIsGeographic(reference.get()) != 0;
+  const bool is_vertical =
+      gdal().OSRIsVertical(reference.get()) && !gdal().OSRIsCompound(reference.get());
+  facts.is_plane = !is_vertical && !gdal().OSRIsGeocentric(reference.get());
   char* unit = nullptr;
   facts.unit = gdal().OSRGetLinearUnits(reference.get(), &unit);
   facts.unit_name = text_or_empty(unit);
+  facts.has_heights = has_heights(reference.get());
   if (gdal().OSRIsCompound(reference.get())) {
     facts.height_unit = gdal().OSRGetTargetLinearUnits(reference.get(), "VERT_CS", &unit);
     facts.height_unit_name = text_or_empty(unit);

@@ -14,7 +14,9 @@
 #include "hodt/base/printable.h"
 #include "hodt/io/crs_name.h"
 #include "hodt/io/feature_file.h"
+#include "hodt/io/file_name.h"
 #include "hodt/io/gdal/api.h"
+#include "hodt/io/gdal/crs_facts.h"
 #include "hodt/io/gdal/dataset.h"
 #include "hodt/io/gdal/spatial_reference.h"
 #include "hodt/io/well_known_binary.h"
@@ -52,12 +54,35 @@ Reference reference_or_name(const std::string& crs) {
   return reference;
 }
 
+/// The code that GDAL takes a system without a code for; empty if it finds none, or has one.
+std::string guessed_code(OGRSpatialReferenceH reference) {
+  if (gdal().OSRGetAuthorityCode(reference, nullptr)) return {};
+  GdalErrors errors;
+  const Reference guess(gdal().OSRClone(reference));
+  if (gdal().OSRAutoIdentifyEPSG(guess.get()) != OGRERR_NONE) return {};
+  const char* const code = gdal().OSRGetAuthorityCode(guess.get(), nullptr);
+  return code ? fmt::format("EPSG:{}", code) : "";
+}
+
+/// GDAL takes UTM in feet for UTM.
+void refuse_wrong_code(OGRSpatialReferenceH reference, const std::string& crs,
+                       const std::filesystem::path& shown) {
+  const std::string code = guessed_code(reference);
+  if (!code.empty() && !are_equal_crs(crs, code))
+    throw ParameterError(fmt::format(
+        "cannot write {}: in this format GDAL would take the coordinate reference system for {}, "
+        "which it is not; write another format, GeoPackage for example",
+        shown.string(), code));
+}
+
 /// How a format is made.
 struct Making {
   const char* driver;
   std::vector<const char*> layer_options;  ///< the last one is nullptr
   /// Of the files beside the first one.
   std::string_view companions;
+  /// Whether the driver looks for a code of a system that has none.
+  bool guesses_codes = false;
 };
 
 OGRwkbGeometryType type_of(const FeatureLayer& layer) {
@@ -85,6 +110,7 @@ class LayerWriter {
 
   void write(const std::filesystem::path& path) {
     const Reference reference = reference_or_name(layer_.crs);
+    if (reference && making_.guesses_codes) refuse_wrong_code(reference.get(), layer_.crs, shown_);
     GDALDriverH driver = gdal().GDALGetDriverByName(making_.driver);
     if (driver == nullptr)
       throw ParameterError(fmt::format("cannot write {}: this GDAL has no driver {}",
@@ -152,18 +178,42 @@ class LayerWriter {
   GdalErrors errors_;
 };
 
+std::string with_capitals(std::string_view text) {
+  std::string capitals(text);
+  for (char& c : capitals)
+    if ('a' <= c && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return capitals;
+}
+
+/// GDAL writes extensions in lower case, whatever the name is that it is told.
+void capitalize_extensions(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    files.push_back(entry.path());
+  for (const std::filesystem::path& file : files)
+    std::filesystem::rename(file, std::filesystem::path(file).replace_extension(
+                                      with_capitals(file.extension().string())));
+}
+
 void write_layer(const FeatureLayer& layer, OutputFile& file, const Making& making) {
+  const std::string extension = follow_links(file.path()).extension().string();
+  const bool has_capitals = !extension.empty() && extension == with_capitals(extension);
   file.fill_by_name(
       [&](const std::filesystem::path& path) {
-        LayerWriter(layer, file.path(), making).write(path);
+        const auto plain = std::filesystem::path(path).replace_extension(lower_extension(path));
+        LayerWriter(layer, file.path(), making).write(plain);
+        if (has_capitals)
+          capitalize_extensions(path.parent_path());
+        else if (plain != path)
+          std::filesystem::rename(plain, path);
       },
-      making.companions);
+      has_capitals ? with_capitals(making.companions) : std::string(making.companions));
 }
 
 }  // namespace
 
 void write_flatgeobuf(const FeatureLayer& layer, OutputFile& file) {
-  write_layer(layer, file, {"FlatGeobuf", {nullptr}, {}});
+  write_layer(layer, file, {"FlatGeobuf", {nullptr}, {}, true});
 }
 
 void write_shapefile(const FeatureLayer& layer, OutputFile& file) {
@@ -171,6 +221,12 @@ void write_shapefile(const FeatureLayer& layer, OutputFile& file) {
     throw ParameterError(
         fmt::format("cannot write {}: a shapefile is several files, which only a folder can hold",
                     file.path().string()));
+  const std::string extension = follow_links(file.path()).extension().string();
+  if (extension != ".shp" && extension != ".SHP")
+    throw ParameterError(
+        fmt::format("cannot write {}: nobody finds the parts of a shapefile whose name ends in {}; "
+                    "name it .shp",
+                    file.path().string(), extension));
   write_layer(layer, file,
               {"ESRI Shapefile",
                {"ENCODING=UTF-8", "DBF_DATE_LAST_UPDATE=2000-01-01", nullptr},
