@@ -1,5 +1,6 @@
 // The coordinate reference system, and the unit of heights, that all inputs of a run have in
-// common: as much as any of them says. Tested by tests/app/inputs_test.cpp.
+// common: as much as any of them says.
+// Tested by tests/app/inputs_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // What the operating system said of a file, by its number, for programs that decide by it.
-// Tested by tests/io/atomic_write_test.cpp and tests/io/point_file_test.cpp.
+// Tested by tests/io/atomic_write_test.cpp.
 #pragma once
 
 #include <filesystem>
