@@ -54,6 +54,7 @@ class FeatureFile : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     if (!test::has_ogr()) GTEST_SKIP() << "needs the programs of Debian's package gdal-bin";
+    if (!test::writes(GetParam())) GTEST_SKIP() << "built without GDAL";
   }
   std::string name(const std::string& stem) const { return stem + GetParam(); }
   std::filesystem::path written(const FeatureLayer& layer, const std::string& stem) const {

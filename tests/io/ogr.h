@@ -11,7 +11,10 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "hodt/io/formats.h"
 
 namespace hodt::test {
 
@@ -19,6 +22,11 @@ namespace hodt::test {
 inline bool has_ogr() {
   static const bool found = std::system("command -v ogr2ogr ogrinfo >/dev/null") == 0;
   return found;
+}
+
+/// Whether this hodt writes files with that extension: some it leaves to GDAL.
+inline bool writes(std::string_view extension) {
+  return has_gdal() || (extension != ".fgb" && extension != ".shp");
 }
 
 /// What a shell command prints; throws if it fails.

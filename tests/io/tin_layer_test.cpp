@@ -30,6 +30,7 @@ class TinLayer : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     if (!test::has_ogr()) GTEST_SKIP() << "needs the programs of Debian's package gdal-bin";
+    if (!test::writes(GetParam())) GTEST_SKIP() << "built without GDAL";
   }
   std::filesystem::path written(const Tin& tin) const {
     write_tin(tin, directory_ / (std::string("a") + GetParam()));

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "ogr.h"
 #include "sample_tins.h"
 #include "temporary_directory.h"
 #include <gtest/gtest.h>
@@ -63,6 +64,9 @@ class Writers : public testing::TestWithParam<const Format*> {
   std::string extension_ = test::first_extension(*GetParam());
   const Keeps& keeps_ = GetParam()->keeps;
 
+  void SetUp() override {
+    if (!test::writes(extension_)) GTEST_SKIP() << "built without GDAL";
+  }
   std::string bytes(const Tin& tin) const { return bytes_of(tin, extension_); }
 };
 
