@@ -98,7 +98,7 @@ class Joiner {
   void find_points();
   void take_vertices(bool with_heights);
   void look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_of);
-  void take_heights_of_surface(Tin surface);
+  void take_heights_of_surface(const Tin& surface);
   void bring_heights_together();
   std::vector<std::array<Index, 2>> pieces_with_heights() const;
   bool is_hard(Index edge) const {  // one with heights
@@ -248,18 +248,20 @@ void Joiner::bring_heights_together() {
     Delaunay d = delaunay(surface.points);
     const Buffer<VertexId> vertex_of = vertices_of_rows(surface.points, d.vertices);
     std::vector<std::array<VertexId, 2>> walls;
+    walls.reserve(pieces.size());
     for (const auto& [a, b] : pieces) walls.push_back({vertex_of[a], vertex_of[b]});
     // Where they cross each other some are left out.
     insert_walls(d, walls);
     look_along_lines(d, vertex_of);
     const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, size);
+    surface.triangles.reserve(mesh.triangle_count());
     for (Index t = 0; t < mesh.triangle_count(); ++t) {
       const auto [a, b, c] = mesh.corners(TriangleId(t));
       surface.triangles.push_back({a, b, c});
     }
   }
   if (is_surface_given) surface.triangles.assign(options_.surface.begin(), options_.surface.end());
-  if (!soft_.empty()) take_heights_of_surface(std::move(surface));
+  if (!soft_.empty()) take_heights_of_surface(surface);
 }
 
 /// From vertex to vertex along each piece of a line with heights.
@@ -289,7 +291,7 @@ void Joiner::look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_
   }
 }
 
-void Joiner::take_heights_of_surface(Tin surface) {
+void Joiner::take_heights_of_surface(const Tin& surface) {
   PointSet& points = joined_.points;
   const std::size_t first = soft_.front();
   joined_.report.soft = soft_.size();
