@@ -1,9 +1,9 @@
 #include "hodt/optimize/touching_sides.h"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "hodt/geometry/heights.h"
+#include "hodt/geometry/runs_of_points.h"
 #include "hodt/optimize/value_of.h"
 #include "hodt/order/fixed_edges.h"
 
@@ -45,10 +45,9 @@ class Fixed {
 /// Calls f(first, end) for the vertices at every point that several sides meet in.
 template <class F>
 void for_each_touch(const DelaunayGraph& graph, const F& f) {
-  for (Index first = 0, end = 0; first < graph.xy.size(); first = end) {
-    for (end = first + 1; end < graph.xy.size() && graph.xy[end] == graph.xy[first];) ++end;
+  for_each_point(graph.xy, [&](Index first, Index end) {
     if (end - first > 1) f(first, end);
-  }
+  });
 }
 
 /// By how many a count of extrema by sides can exceed that by points. Both are the same where all

@@ -1,11 +1,11 @@
 #include "hodt/optimize/value_of.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
 #include <vector>
 
 #include "hodt/geometry/heights.h"
+#include "hodt/geometry/runs_of_points.h"
 #include "hodt/mesh/degrees.h"
 #include "hodt/optimize/measure/edge_measures.h"
 #include "hodt/optimize/measure/measures.h"
@@ -14,16 +14,6 @@ namespace hodt {
 
 namespace {
 
-/// Calls f(first, end) for the vertices at every point: several, one after the other, where a
-/// domain touches itself.
-template <class F>
-void for_each_point(std::span<const Point> xy, const F& f) {
-  for (std::size_t first = 0, end = 0; first < xy.size(); first = end) {
-    for (end = first + 1; end < xy.size() && xy[end] == xy[first];) ++end;
-    f(first, end);
-  }
-}
-
 double extrema_of(const TriangleMesh& mesh, const Heights& heights, Extremum kind) {
   std::vector<bool> is_removed(mesh.vertex_count(), false);
   for (Index i = 0; i < mesh.halfedge_count(); ++i) {
@@ -31,7 +21,7 @@ double extrema_of(const TriangleMesh& mesh, const Heights& heights, Extremum kin
     is_removed[heights.removes(u, v, kind) ? v : u] = true;
   }
   double count = 0;
-  for_each_point(heights.xy, [&](std::size_t first, std::size_t end) {
+  for_each_point(heights.xy, [&](Index first, Index end) {
     const auto begin = is_removed.begin();
     count += std::find(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(end), true) ==
              begin + std::ptrdiff_t(end);
@@ -42,7 +32,7 @@ double extrema_of(const TriangleMesh& mesh, const Heights& heights, Extremum kin
 double largest_degree(const TriangleMesh& mesh, std::span<const Point> xy) {
   const Buffer<Index> degrees = degrees_of(mesh);
   Index largest = 0;
-  for_each_point(xy, [&](std::size_t first, std::size_t end) {
+  for_each_point(xy, [&](Index first, Index end) {
     largest =
         std::max(largest, std::accumulate(degrees.begin() + first, degrees.begin() + end, 0u));
   });

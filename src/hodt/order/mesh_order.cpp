@@ -70,8 +70,9 @@ MeshOrder order_of_mesh(const PointSet& points, std::span<const std::array<Index
     MeshOrder unknown;
     unknown.missing_walls = missing_walls(with_walls, vertex_of, triangles);
     if (unknown.missing_walls > 0) return unknown;
+    if (border.empty()) delaunay = std::move(with_walls);
   }
-  if (!walls.empty() || !border.empty()) {
+  if (!border.empty()) {
     std::vector<Edge> all(walls.begin(), walls.end());
     all.insert(all.end(), border.begin(), border.end());
     make_walls(delaunay, vertex_of, all);

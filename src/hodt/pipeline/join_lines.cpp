@@ -97,10 +97,11 @@ class Joiner {
   void snap_to_points();
   void find_points();
   void take_vertices(bool with_heights);
-  void look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_of);
+  using Pieces = std::vector<std::array<Index, 2>>;
+  void look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_of, const Pieces& pieces);
   void take_heights_of_surface(const Tin& surface);
   void bring_heights_together();
-  std::vector<std::array<Index, 2>> pieces_with_heights() const;
+  Pieces pieces_with_heights() const;
   bool is_hard(Index edge) const {  // one with heights
     const auto [s, l, i] = joined_.origins[edge];
     return joined_.sources[s].lines[l].has_heights();
@@ -235,8 +236,7 @@ void Joiner::take_vertices(bool with_heights) {
 
 /// What lines with heights say of the points they pass through, and of vertices that have none.
 void Joiner::bring_heights_together() {
-  const std::vector<std::array<Index, 2>> pieces = pieces_with_heights();
-  const bool is_surface_given = !options_.surface.empty();
+  const Pieces pieces = pieces_with_heights();
   if (!has_heights() || (pieces.empty() && soft_.empty())) return;
   const std::size_t size = soft_.empty() ? joined_.points.size() : soft_.front();
   Tin surface;
@@ -244,7 +244,8 @@ void Joiner::bring_heights_together() {
                            joined_.points.xy.begin() + std::ptrdiff_t(size));
   surface.points.z.assign(joined_.points.z.begin(),
                           joined_.points.z.begin() + std::ptrdiff_t(size));
-  if (!pieces.empty() || !is_surface_given) {
+  surface.triangles.assign(options_.surface.begin(), options_.surface.end());
+  if (!pieces.empty() || surface.triangles.empty()) {
     Delaunay d = delaunay(surface.points);
     const Buffer<VertexId> vertex_of = vertices_of_rows(surface.points, d.vertices);
     std::vector<std::array<VertexId, 2>> walls;
@@ -252,20 +253,22 @@ void Joiner::bring_heights_together() {
     for (const auto& [a, b] : pieces) walls.push_back({vertex_of[a], vertex_of[b]});
     // Where they cross each other some are left out.
     insert_walls(d, walls);
-    look_along_lines(d, vertex_of);
-    const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, size);
-    surface.triangles.reserve(mesh.triangle_count());
-    for (Index t = 0; t < mesh.triangle_count(); ++t) {
-      const auto [a, b, c] = mesh.corners(TriangleId(t));
-      surface.triangles.push_back({a, b, c});
+    look_along_lines(d, vertex_of, pieces);
+    if (surface.triangles.empty() && !soft_.empty()) {
+      const TriangleMesh mesh = in_input_numbering(d.mesh, d.vertices, size);
+      surface.triangles.reserve(mesh.triangle_count());
+      for (Index t = 0; t < mesh.triangle_count(); ++t) {
+        const auto [a, b, c] = mesh.corners(TriangleId(t));
+        surface.triangles.push_back({a, b, c});
+      }
     }
   }
-  if (is_surface_given) surface.triangles.assign(options_.surface.begin(), options_.surface.end());
   if (!soft_.empty()) take_heights_of_surface(surface);
 }
 
 /// From vertex to vertex along each piece of a line with heights.
-void Joiner::look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_of) {
+void Joiner::look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_of,
+                              const Pieces& pieces) {
   const std::span<const Point> xy = d.vertices.xy;
   const Buffer<HalfEdgeId> outgoing = outgoing_halfedges(d.mesh);
   const auto next_on = [&](VertexId from, VertexId to) {
@@ -277,7 +280,7 @@ void Joiner::look_along_lines(const Delaunay& d, const Buffer<VertexId>& vertex_
     for_each_neighbour(d.mesh, outgoing[from], look);
     return next;
   };
-  for (const auto& [a, b] : pieces_with_heights()) {
+  for (const auto& [a, b] : pieces) {
     const VertexId end = vertex_of[b];
     for (VertexId v = vertex_of[a]; v != end;) {
       v = next_on(v, end);
@@ -308,8 +311,8 @@ void Joiner::take_heights_of_surface(const Tin& surface) {
 }
 
 /// By their rows.
-std::vector<std::array<Index, 2>> Joiner::pieces_with_heights() const {
-  std::vector<std::array<Index, 2>> pieces;
+Joiner::Pieces Joiner::pieces_with_heights() const {
+  Pieces pieces;
   for_each_line([&](const Lines&, const Line& line) {
     if (!line.has_heights()) return;
     for (std::size_t i = 0; i + 1 < line.xy.size(); ++i)
